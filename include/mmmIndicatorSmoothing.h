@@ -1,0 +1,54 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmIndicatorSmoothing_h
+#define mmmIndicatorSmoothing_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmGrid.h"
+#include "mmmMaterialImage.h"
+
+namespace mmm
+{
+/** Indicators are known up to this distance from their zero level, in units of the smallest voxel spacing. */
+constexpr double IndicatorBandWidth = 3.0;
+
+/** The smallest box of grid nodes that holds a material; size 0 where the image has none of it. */
+struct MaterialBox
+{
+  Index lower{ { 0, 0, 0 } };
+  Index size{ { 0, 0, 0 } };
+};
+
+MultiMaterialMeshing_EXPORT std::vector<MaterialBox>
+                            ComputeMaterialBoxes(const MaterialImage & image);
+
+/** \brief The smooth indicator function of one material: a signed distance, positive inside, of the smoothed material.
+ *
+ * 1. The signed distance whose zero level lies on the voxel faces.
+ * 2. Anti-aliasing (Whitaker 2000): mean curvature flow under the condition that every voxel centre keeps its side.
+ * 3. Tightening of radius `radius` (Williams and Rossignac 2005): within the mortar, which is what closing by a ball of
+ *    that radius adds and opening takes away, the boundary moves by mean curvature to the shortest one.
+ * 4. The signed distance of what results.
+ *
+ * Radius 0 stops after step 1. Values are cut off at +-IndicatorBandWidth. The block covers the material's box and the
+ * band around it, as far as the image goes; beyond the block the material's value is -IndicatorBandWidth. */
+MultiMaterialMeshing_EXPORT Block<float>
+                            ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius);
+} // namespace mmm
+
+#endif

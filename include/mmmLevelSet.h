@@ -1,0 +1,105 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmLevelSet_h
+#define mmmLevelSet_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmGrid.h"
+
+#include <cstdint>
+
+namespace mmm
+{
+/** \brief A level set function, positive inside, on a block of the grid, with the narrow band that it is solved in.
+ *
+ * Values are kept in [-width, width]; nodes of the band are at least one node away from the block's rim. */
+class MultiMaterialMeshing_EXPORT LevelSet
+{
+public:
+  LevelSet(const Index & lower, const Index & size, const Vector & spacing, double width);
+
+  std::size_t
+  Offset(const Index & gridIndex) const
+  {
+    return (std::size_t(gridIndex[2] - m_Lower[2]) * m_Size[1] + (gridIndex[1] - m_Lower[1])) * m_Size[0] +
+           (gridIndex[0] - m_Lower[0]);
+  }
+  const Index &
+  GetLower() const
+  {
+    return m_Lower;
+  }
+  const Index &
+  GetSize() const
+  {
+    return m_Size;
+  }
+  double
+  GetWidth() const
+  {
+    return m_Width;
+  }
+  std::vector<float> &
+  Values()
+  {
+    return m_Values;
+  }
+  const std::vector<float> &
+  Values() const
+  {
+    return m_Values;
+  }
+
+  /** The nodes that are solved for: those with |value| below `distance`. */
+  void
+  SelectBand(double distance);
+  const std::vector<std::uint32_t> &
+  Band() const
+  {
+    return m_Band;
+  }
+
+  /** Makes the values the signed distance to their own zero level: nodes beside it from where the level crosses the
+   * grid's edges, the rest of the band by the Eikonal equation (first-order Godunov). */
+  void
+  Redistance();
+
+  /** Moves the zero level by mean curvature until it rests: no value changes faster than `tolerance` per unit of time
+   * (root mean square over the band), for at most `maximumSteps` explicit steps. `lower` and `upper`, given per node of
+   * the band, are obstacles that the values never pass. Returns the number of steps taken. */
+  int
+  FlowByMeanCurvature(const std::vector<float> & lower,
+                      const std::vector<float> & upper,
+                      double                     tolerance,
+                      int                        maximumSteps);
+
+private:
+  /** The average over the neighbourhood, within about 1.5 nodes, of a speed given per node of the band. */
+  std::vector<float>
+  MeanOverBand(const std::vector<float> & speed) const;
+
+  Index                      m_Lower;
+  Index                      m_Size;
+  Vector                     m_Spacing;
+  double                     m_Width;
+  std::vector<float>         m_Values;
+  std::vector<std::uint32_t> m_Band;
+};
+} // namespace mmm
+
+#endif

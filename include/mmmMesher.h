@@ -1,0 +1,77 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmMesher_h
+#define mmmMesher_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmParticles.h"
+#include "mmmTetrahedralMesh.h"
+
+#include <string>
+
+namespace mmm
+{
+struct MeshingParameters
+{
+  /** The number of the material that is not meshed, or -1. */
+  int                  exterior{ -1 };
+  std::uint64_t        seed{ 1 };
+  RelaxationParameters relaxation;
+  /** Stop after the surface: no tetrahedra. */
+  bool surfaceOnly{ false };
+};
+
+/** What became of the particles of one dimension. */
+struct MeshingReport
+{
+  std::array<std::size_t, 4>      particles{ { 0, 0, 0, 0 } };
+  std::array<RelaxationReport, 4> relaxation;
+  /** Interface triangles of which a corner does not lie on a cell with both of the triangle's materials. */
+  std::size_t inconsistentTriangles{ 0 };
+  /** Particles that no interface triangle uses; they are dropped. */
+  std::size_t unusedParticles{ 0 };
+  /** Points that TetGen added to the interior to recover the interfaces. */
+  std::size_t steinerPoints{ 0 };
+};
+
+/** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */
+struct MeshingResult
+{
+  std::vector<Vector> points;
+  InterfaceMesh       interfaces;
+  TetrahedralMesh     tetrahedra;
+  /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order. */
+  ParticleSet   particles;
+  MeshingReport report;
+};
+
+/** \brief From indicators and a sizing field to the surface and the tetrahedra.
+ *
+ * Particles on 0-, 1- and 2-cells are seeded and relaxed, lower cells first; their Delaunay tetrahedralization is
+ * labelled by the indicators, which gives the interfaces; particles of the interior follow, relaxed like the others; the
+ * constrained tetrahedralization of all is improved. `result` is filled stage by stage: where a later stage throws, it
+ * holds what the stages before it made. */
+MultiMaterialMeshing_EXPORT void
+BuildMesh(const IndicatorSet &      indicators,
+          const SizingField &       sizing,
+          const MeshingParameters & parameters,
+          Monitor &                 monitor,
+          MeshingResult &           result);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,35 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmParallel_h
+#define mmmParallel_h
+
+#include "MultiMaterialMeshingExport.h"
+
+#include <cstddef>
+#include <functional>
+
+namespace mmm
+{
+/** Calls body(begin, end) for consecutive ranges of at most `grain` indices that cover [0, count), on the threads of
+ * itk::MultiThreaderBase. The ranges do not depend on the number of threads: a body that writes only to slots of its
+ * own range gives the same result for any number of them. The first exception of a body is rethrown. */
+MultiMaterialMeshing_EXPORT void
+ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)> & body);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,62 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmTetrahedralMesh_h
+#define mmmTetrahedralMesh_h
+
+#include "mmmGrid.h"
+#include "mmmMaterialImage.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mmm
+{
+using PointId = std::uint32_t;
+using Triangle = std::array<PointId, 3>;
+using Tetrahedron = std::array<PointId, 4>;
+
+/** The corners of the faces of a tetrahedron; face f is opposite corner f. Seen from outside a positively oriented
+ * tetrahedron, they run counterclockwise. */
+constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
+
+/** The tetrahedron beyond a face on the outside of a mesh. */
+constexpr std::uint32_t NoTetrahedron = 0xffffffffu;
+
+/** \brief Tetrahedra, each with its material, over an array of points that is kept elsewhere. */
+struct TetrahedralMesh
+{
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<Material>    materials;
+};
+
+/** Triangles between different materials: `first` < `second`, the normal (right hand rule) points to `second`. */
+struct InterfaceMesh
+{
+  std::vector<Triangle>                triangles;
+  std::vector<std::array<Material, 2>> sides;
+};
+
+inline double
+SignedVolume(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  return (b - a).cross(c - a).dot(d - a) / 6.0;
+}
+} // namespace mmm
+
+#endif

@@ -1,0 +1,185 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmIndicatorSmoothing.h"
+
+#include "mmmBoxDistance.h"
+#include "mmmLevelSet.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+namespace
+{
+/** Labels are continued this many nodes beyond the image border, so that the flow meets it at right angles. */
+constexpr int BorderContinuation = 3;
+/** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
+ * than half a voxel lets it yield: by how much the radius is larger. */
+constexpr float CentreMargin = 0.1f;
+/** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
+constexpr float MortarSlack = 0.05f;
+constexpr double FlowTolerance = 0.005;
+constexpr int    AntiAliasSteps = 100;
+constexpr int    TighteningSteps = 60;
+
+std::vector<float>
+BandValues(const LevelSet & levelSet)
+{
+  std::vector<float> values;
+  values.reserve(levelSet.Band().size());
+  for (const auto n : levelSet.Band())
+  {
+    values.push_back(levelSet.Values()[n]);
+  }
+  return values;
+}
+
+void
+AntiAlias(LevelSet & levelSet)
+{
+  const float        width = float(levelSet.GetWidth());
+  std::vector<float> lower = BandValues(levelSet);
+  std::vector<float> upper(lower.size());
+  for (std::size_t b = 0; b < lower.size(); ++b)
+  {
+    const bool inside = lower[b] > 0.0f;
+    lower[b] = inside ? CentreMargin : -width;
+    upper[b] = inside ? width : -CentreMargin;
+  }
+  levelSet.FlowByMeanCurvature(lower, upper, FlowTolerance, AntiAliasSteps);
+}
+
+/** The set moved outwards by `offset` (inwards where negative) and back: closing, or opening, per node of the band. */
+std::vector<float>
+OffsetAndBack(LevelSet levelSet, double offset)
+{
+  for (float & value : levelSet.Values())
+  {
+    value += float(offset);
+  }
+  levelSet.Redistance();
+  std::vector<float> values = BandValues(levelSet);
+  for (float & value : values)
+  {
+    value -= float(offset);
+  }
+  return values;
+}
+
+void
+Tighten(LevelSet & levelSet, double radius)
+{
+  std::vector<float> opening = OffsetAndBack(levelSet, -radius);
+  std::vector<float> closing = OffsetAndBack(levelSet, radius);
+  const std::vector<float> start = BandValues(levelSet);
+  const float              yield = float(std::max(0.0, radius - 0.5));
+  for (std::size_t b = 0; b < opening.size(); ++b)
+  {
+    opening[b] = std::min(opening[b] - MortarSlack, start[b]);
+    closing[b] = std::max(closing[b] + MortarSlack, start[b]);
+    if (start[b] > 0.0f)
+    {
+      opening[b] = std::max(opening[b], std::min(start[b], CentreMargin - yield));
+    }
+    else
+    {
+      closing[b] = std::min(closing[b], std::max(start[b], yield - CentreMargin));
+    }
+  }
+  levelSet.FlowByMeanCurvature(opening, closing, FlowTolerance, TighteningSteps);
+}
+} // namespace
+
+std::vector<MaterialBox>
+ComputeMaterialBoxes(const MaterialImage & image)
+{
+  std::vector<Index> lower(image.numberOfMaterials, image.grid.size);
+  std::vector<Index> upper(image.numberOfMaterials, Index{ { -1, -1, -1 } });
+  std::size_t        n = 0;
+  for (int k = 0; k < image.grid.size[2]; ++k)
+  {
+    for (int j = 0; j < image.grid.size[1]; ++j)
+    {
+      for (int i = 0; i < image.grid.size[0]; ++i, ++n)
+      {
+        const Index at{ { i, j, k } };
+        Index &     low = lower[image.materials[n]];
+        Index &     high = upper[image.materials[n]];
+        for (int a = 0; a < 3; ++a)
+        {
+          low[a] = std::min(low[a], at[a]);
+          high[a] = std::max(high[a], at[a]);
+        }
+      }
+    }
+  }
+  std::vector<MaterialBox> boxes(image.numberOfMaterials);
+  for (std::size_t m = 0; m < boxes.size(); ++m)
+  {
+    if (upper[m][0] >= 0)
+    {
+      boxes[m].lower = lower[m];
+      boxes[m].size = Index{ { upper[m][0] - lower[m][0] + 1, upper[m][1] - lower[m][1] + 1, upper[m][2] - lower[m][2] + 1 } };
+    }
+  }
+  return boxes;
+}
+
+Block<float>
+ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius)
+{
+  const Grid & grid = image.grid;
+  Index        lower;
+  Index        size;
+  Block<float> indicator;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int band = 1 + int(std::ceil(IndicatorBandWidth / grid.spacing[a]));
+    const int low = std::max(box.lower[a] - band, -BorderContinuation);
+    const int high = std::min(box.lower[a] + box.size[a] + band, grid.size[a] + BorderContinuation);
+    lower[a] = low;
+    size[a] = high - low;
+    indicator.lower[a] = std::max(low, 0);
+    indicator.size[a] = std::min(high, grid.size[a]) - indicator.lower[a];
+  }
+
+  LevelSet levelSet(lower, size, grid.spacing, IndicatorBandWidth);
+  ComputeBoxDistance(image, material, levelSet);
+  levelSet.SelectBand(IndicatorBandWidth);
+  if (radius > 0.0)
+  {
+    AntiAlias(levelSet);
+    levelSet.Redistance();
+    Tighten(levelSet, radius);
+    levelSet.Redistance();
+  }
+
+  indicator.values.resize(std::size_t(indicator.size[0]) * indicator.size[1] * indicator.size[2]);
+  auto out = indicator.values.begin();
+  for (int k = 0; k < indicator.size[2]; ++k)
+  {
+    for (int j = 0; j < indicator.size[1]; ++j, out += indicator.size[0])
+    {
+      const auto row = levelSet.Offset(Index{ { indicator.lower[0], indicator.lower[1] + j, indicator.lower[2] + k } });
+      std::copy_n(levelSet.Values().begin() + row, indicator.size[0], out);
+    }
+  }
+  return indicator;
+}
+} // namespace mmm

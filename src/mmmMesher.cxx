@@ -1,0 +1,210 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmMesher.h"
+
+#include "mmmInteriorParticles.h"
+#include "mmmSurfaceLabelling.h"
+#include "mmmTetGen.h"
+#include "mmmTetrahedronNeighbours.h"
+
+#include "itkMacro.h"
+
+#include <algorithm>
+
+namespace mmm
+{
+namespace
+{
+const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxation of 2-cells", "relaxation of the interior" };
+
+/** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */
+std::size_t
+DropUnusedParticles(ParticleSet & particles, InterfaceMesh & interfaces)
+{
+  std::vector<PointId> number(particles.Size(), 0);
+  for (const auto & triangle : interfaces.triangles)
+  {
+    for (const auto corner : triangle)
+    {
+      number[corner] = 1;
+    }
+  }
+  PointId kept = 0;
+  for (std::size_t p = 0; p < number.size(); ++p)
+  {
+    if (number[p])
+    {
+      particles.positions[kept] = particles.positions[p];
+      particles.cells[kept] = particles.cells[p];
+      number[p] = kept++;
+    }
+  }
+  const std::size_t dropped = particles.Size() - kept;
+  particles.positions.resize(kept);
+  particles.cells.resize(kept);
+  for (auto & triangle : interfaces.triangles)
+  {
+    for (auto & corner : triangle)
+    {
+      corner = number[corner];
+    }
+  }
+  return dropped;
+}
+
+std::size_t
+CountInconsistentTriangles(const IndicatorSet & indicators,
+                           const ParticleSet &  particles,
+                           const InterfaceMesh & interfaces,
+                           Material              exterior)
+{
+  const auto lies = [&](PointId corner, Material side) {
+    const Cell & cell = particles.CellOf(corner);
+    return cell.Has(side) || (side == exterior && std::any_of(cell.begin(), cell.end(), [&](Material m) {
+             return indicators.IsPlane(m);
+           }));
+  };
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < interfaces.triangles.size(); ++t)
+  {
+    const auto & sides = interfaces.sides[t];
+    const auto & corners = interfaces.triangles[t];
+    count += !std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
+      return lies(corner, sides[0]) && lies(corner, sides[1]);
+    });
+  }
+  return count;
+}
+
+/** A place in every face-connected part of each material: the centre of its thickest tetrahedron. */
+std::vector<RegionSeed>
+PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mesh, Material exterior)
+{
+  const auto                 neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
+  std::vector<char>          visited(mesh.tetrahedra.size(), 0);
+  std::vector<std::uint32_t> stack;
+  std::vector<RegionSeed>    seeds;
+  for (std::uint32_t first = 0; first < mesh.tetrahedra.size(); ++first)
+  {
+    if (visited[first])
+    {
+      continue;
+    }
+    const Material material = mesh.materials[first];
+    double         thickest = -1.0;
+    RegionSeed     seed{ Vector::Zero(), material, material == exterior };
+    visited[first] = 1;
+    stack.push_back(first);
+    while (!stack.empty())
+    {
+      const auto t = stack.back();
+      stack.pop_back();
+      const auto &   c = mesh.tetrahedra[t];
+      const Vector & p = points[c[0]];
+      const double   volume = SignedVolume(p, points[c[1]], points[c[2]], points[c[3]]);
+      double         longest = 0.0;
+      for (int e = 0; e < 6; ++e)
+      {
+        constexpr int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
+        longest = std::max(longest, (points[c[edges[e][0]]] - points[c[edges[e][1]]]).squaredNorm());
+      }
+      const double thickness = volume / longest;
+      if (thickness > thickest)
+      {
+        thickest = thickness;
+        seed.position = 0.25 * (p + points[c[1]] + points[c[2]] + points[c[3]]);
+      }
+      for (const auto other : neighbours[t])
+      {
+        if (other != NoTetrahedron && !visited[other] && mesh.materials[other] == material)
+        {
+          visited[other] = 1;
+          stack.push_back(other);
+        }
+      }
+    }
+    seeds.push_back(seed);
+  }
+  return seeds;
+}
+} // namespace
+
+void
+BuildMesh(const IndicatorSet &      indicators,
+          const SizingField &       sizing,
+          const MeshingParameters & parameters,
+          Monitor &                 monitor,
+          MeshingResult &           result)
+{
+  const auto exterior =
+    Material(parameters.exterior >= 0 ? std::size_t(parameters.exterior) : indicators.GetNumberOfMaterials());
+  MeshingReport & report = result.report;
+  ParticleSet &   particles = result.particles;
+
+  monitor.BeginStage("seeding of particles");
+  particles = SeedParticles(indicators, sizing, parameters.exterior, parameters.seed);
+  monitor.Report(1.0);
+  for (int dimension = 1; dimension <= 2; ++dimension)
+  {
+    monitor.BeginStage(RelaxationNames[dimension]);
+    report.relaxation[dimension] =
+      RelaxParticles(indicators, sizing, dimension, parameters.relaxation, particles, monitor);
+  }
+
+  monitor.BeginStage("surface");
+  if (particles.Size() < 4)
+  {
+    itkGenericExceptionMacro("There is no interface to mesh: "
+                             << particles.Size()
+                             << " particles found a place on one. The image needs at least one voxel of a label that is "
+                                "not exterior.");
+  }
+  TetrahedralMesh labelled;
+  labelled.tetrahedra = DelaunayTetrahedralization(particles.positions);
+  monitor.Report(0.5);
+  labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
+  const auto seeds = PlaceRegionSeeds(particles.positions, labelled, exterior);
+  result.interfaces = ExtractInterfaces(labelled, exterior);
+  report.inconsistentTriangles = CountInconsistentTriangles(indicators, particles, result.interfaces, exterior);
+  report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
+  for (std::size_t p = 0; p < particles.Size(); ++p)
+  {
+    ++report.particles[particles.CellOf(p).Dimension()];
+  }
+  result.points = particles.positions;
+  monitor.Report(1.0);
+  if (parameters.surfaceOnly)
+  {
+    return;
+  }
+
+  monitor.BeginStage("seeding of the interior");
+  ParticleSet all = particles;
+  SeedInteriorParticles(indicators, sizing, parameters.exterior, parameters.seed, all);
+  monitor.Report(1.0);
+  monitor.BeginStage(RelaxationNames[3]);
+  report.relaxation[3] = RelaxParticles(indicators, sizing, 3, parameters.relaxation, all, monitor);
+  report.particles[3] = all.Size() - particles.Size();
+
+  monitor.BeginStage("constrained tetrahedralization");
+  result.points = all.positions;
+  result.tetrahedra = TetrahedralizeRegions(result.points, particles.Size(), result.interfaces.triangles, seeds);
+  report.steinerPoints = result.points.size() - all.Size();
+  monitor.Report(1.0);
+}
+} // namespace mmm

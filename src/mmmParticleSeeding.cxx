@@ -1,0 +1,221 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmHash.h"
+#include "mmmParallel.h"
+#include "mmmParticles.h"
+#include "mmmPointBins.h"
+
+#include <algorithm>
+#include <map>
+
+namespace mmm
+{
+namespace
+{
+/** Random sequential packing at this distance, in units of h, leaves as many particles as a hexagonal packing of h. */
+constexpr double ThinningDistance = 0.76;
+/** A seed's projection stays within this distance of its cube's centre, in units of the smallest voxel spacing. */
+constexpr double SeedReach = 1.2;
+constexpr double MaximalityTolerance = 1e-3;
+/** More materials than these at one cube are noise; their junctions are sampled from the cubes around. */
+constexpr int MaximalMaterials = 6;
+
+struct Seed
+{
+  Vector        position;
+  Vector        normal; // of a 2-cell
+  Cell          cell;
+  std::uint64_t order;
+};
+
+class CubeSeeder
+{
+public:
+  CubeSeeder(const IndicatorSet & indicators, int exterior)
+    : m_Indicators(indicators)
+    , m_Exterior(exterior)
+  {}
+
+  /** `lower` is the cube's lowest node; cubes reach one node beyond the border. */
+  void
+  SeedCube(const Index & lower, std::vector<Seed> & seeds) const
+  {
+    Material present[14];
+    int      count = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Index node{ { lower[0] + (corner & 1), lower[1] + ((corner >> 1) & 1), lower[2] + (corner >> 2) } };
+      this->AddMaterials(node, present, count);
+    }
+    if (count < 2)
+    {
+      return;
+    }
+    std::sort(present, present + count);
+    count = std::min(count, MaximalMaterials + 3);
+    for (int a = 0; a < count; ++a)
+    {
+      for (int b = a + 1; b < count; ++b)
+      {
+        this->SeedCell(lower, Cell{ present[a], present[b] }, seeds);
+        for (int c = b + 1; c < count; ++c)
+        {
+          this->SeedCell(lower, Cell{ present[a], present[b], present[c] }, seeds);
+          for (int d = c + 1; d < count; ++d)
+          {
+            this->SeedCell(lower, Cell{ present[a], present[b], present[c], present[d] }, seeds);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  /** A node beyond the border stands for all the planes that it lies behind. */
+  void
+  AddMaterials(const Index & node, Material * present, int & count) const
+  {
+    const Grid & grid = m_Indicators.GetGrid();
+    const auto   add = [&](Material m) {
+      if (std::find(present, present + count, m) == present + count)
+      {
+        present[count++] = m;
+      }
+    };
+    bool within = true;
+    for (int a = 0; a < 3; ++a)
+    {
+      if (node[a] < 0 || node[a] >= grid.size[a])
+      {
+        add(Material(m_Indicators.GetNumberOfMaterials() + 2 * a + (node[a] < 0 ? 0 : 1)));
+        within = false;
+      }
+    }
+    if (within)
+    {
+      add(m_Indicators.MaterialAtNode(grid.Offset(node)));
+    }
+  }
+
+  void
+  SeedCell(const Index & lower, const Cell & cell, std::vector<Seed> & seeds) const
+  {
+    const bool meshed = std::any_of(
+      cell.begin(), cell.end(), [&](Material m) { return int(m) != m_Exterior && !m_Indicators.IsPlane(m); });
+    if (!meshed)
+    {
+      return;
+    }
+    const Grid & grid = m_Indicators.GetGrid();
+    Vector       x;
+    for (int a = 0; a < 3; ++a)
+    {
+      x[a] = (lower[a] + 0.5) * grid.spacing[a];
+    }
+    const double reach = SeedReach * grid.spacing.maxCoeff();
+    if (m_Indicators.Project(cell, x, reach) && m_Indicators.IsMaximal(cell, x, MaximalityTolerance))
+    {
+      seeds.push_back({ x, cell.count == 2 ? m_Indicators.Normal(cell, x) : Vector::Zero(), cell, 0 });
+    }
+  }
+
+  const IndicatorSet & m_Indicators;
+  const int            m_Exterior;
+};
+
+std::vector<Seed>
+CollectSeeds(const IndicatorSet & indicators, int exterior)
+{
+  const Grid &                   grid = indicators.GetGrid();
+  const CubeSeeder               seeder(indicators, exterior);
+  std::vector<std::vector<Seed>> parts(grid.size[2] + 1);
+  ParallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      for (int j = -1; j < grid.size[1]; ++j)
+      {
+        for (int i = -1; i < grid.size[0]; ++i)
+        {
+          seeder.SeedCube(Index{ { i, j, int(k) - 1 } }, parts[k]);
+        }
+      }
+    }
+  });
+  std::vector<Seed> seeds;
+  for (auto & part : parts)
+  {
+    seeds.insert(seeds.end(), part.begin(), part.end());
+    std::vector<Seed>().swap(part);
+  }
+  return seeds;
+}
+} // namespace
+
+ParticleSet
+SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
+{
+  std::vector<Seed> seeds = CollectSeeds(indicators, exterior);
+  for (std::size_t s = 0; s < seeds.size(); ++s)
+  {
+    seeds[s].order = Hash(seed ^ Hash(s));
+  }
+  std::sort(seeds.begin(), seeds.end(), [](const Seed & a, const Seed & b) {
+    return a.cell.count != b.cell.count ? a.cell.count > b.cell.count : a.order < b.order;
+  });
+
+  ParticleSet                         particles;
+  std::map<Cell, std::uint32_t>       numbers;
+  PointBins                           binning(indicators.GetGrid(), 2.0);
+  std::vector<std::vector<std::uint32_t>> bins(binning.NumberOfBins());
+  std::vector<Vector>                 normals;
+  for (const Seed & candidate : seeds)
+  {
+    const double h = sizing(candidate.position);
+    const double reach = ThinningDistance * h;
+    const bool   surface = candidate.cell.count == 2;
+    bool         free = true;
+    binning.VisitBins(candidate.position, reach, [&](std::size_t bin) {
+      for (const auto p : bins[bin])
+      {
+        if (!free)
+        {
+          return;
+        }
+        const Cell & other = particles.CellOf(p);
+        if (other.Includes(candidate.cell) && (particles.positions[p] - candidate.position).squaredNorm() < reach * reach)
+        {
+          free = surface && other == candidate.cell && normals[p].dot(candidate.normal) <= 0.0;
+        }
+      }
+    });
+    if (free)
+    {
+      const auto entry = numbers.insert({ candidate.cell, std::uint32_t(numbers.size()) });
+      if (entry.second)
+      {
+        particles.cellTable.push_back(candidate.cell);
+      }
+      bins[binning.BinAt(candidate.position)].push_back(std::uint32_t(particles.Size()));
+      particles.positions.push_back(candidate.position);
+      particles.cells.push_back(entry.first->second);
+      normals.push_back(candidate.normal);
+    }
+  }
+  return particles;
+}
+} // namespace mmm

@@ -1,0 +1,131 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmSurfaceLabelling.h"
+
+#include "mmmParallel.h"
+#include "mmmTetrahedronNeighbours.h"
+
+#include <algorithm>
+
+namespace mmm
+{
+namespace
+{
+/** Indicators count at most this much, so that a thin part of a tetrahedron is heard beside a deep one. */
+constexpr double Ceiling = 1.0;
+
+/** The sum of an indicator over the tetrahedron's centre and four points halfway to its corners. */
+double
+Support(const IndicatorSet & indicators, Material m, const Vector (&samples)[5])
+{
+  double sum = 0.0;
+  for (const Vector & x : samples)
+  {
+    sum += std::min(Ceiling, std::max(-Ceiling, indicators.Value(m, x)));
+  }
+  return sum;
+}
+} // namespace
+
+std::vector<Material>
+LabelTetrahedra(const IndicatorSet &             indicators,
+                const ParticleSet &              particles,
+                const std::vector<Tetrahedron> & tetrahedra,
+                Material                         exterior)
+{
+  std::vector<Material> materials(tetrahedra.size());
+  ParallelFor(tetrahedra.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const auto & corners = tetrahedra[t];
+      Material     candidates[4];
+      int          count = 0;
+      for (const Material m : particles.CellOf(corners[0]))
+      {
+        if (particles.CellOf(corners[1]).Has(m) && particles.CellOf(corners[2]).Has(m) &&
+            particles.CellOf(corners[3]).Has(m))
+        {
+          candidates[count++] = m;
+        }
+      }
+      Material best = candidates[0];
+      if (count != 1)
+      {
+        Vector samples[5];
+        samples[0] = Vector::Zero();
+        for (const auto corner : corners)
+        {
+          samples[0] += 0.25 * particles.positions[corner];
+        }
+        for (int c = 0; c < 4; ++c)
+        {
+          samples[c + 1] = 0.5 * (samples[0] + particles.positions[corners[c]]);
+        }
+        const auto nearby = indicators.Candidates(samples[0]);
+        const auto first = count > 0 ? static_cast<const Material *>(candidates) : nearby.first;
+        const auto last = count > 0 ? candidates + count : nearby.second;
+        double     largest = -1e300;
+        for (auto m = first; m != last; ++m)
+        {
+          const double support = Support(indicators, *m, samples);
+          if (support > largest)
+          {
+            largest = support;
+            best = *m;
+          }
+        }
+      }
+      materials[t] = indicators.IsPlane(best) ? exterior : best;
+    }
+  });
+  return materials;
+}
+
+InterfaceMesh
+ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
+{
+  const auto    neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
+  InterfaceMesh interfaces;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const auto     other = neighbours[t][f];
+      const Material own = mesh.materials[t];
+      const Material beyond = other == NoTetrahedron ? outside : mesh.materials[other];
+      // each pair once, from the side of the lower material or, at the outside, from the mesh
+      if (own == beyond || (other != NoTetrahedron && own > beyond))
+      {
+        continue;
+      }
+      Triangle corners;
+      for (int c = 0; c < 3; ++c)
+      {
+        corners[c] = mesh.tetrahedra[t][FaceCorners[f][c]];
+      }
+      if (own > beyond)
+      {
+        std::swap(corners[1], corners[2]);
+      }
+      interfaces.triangles.push_back(corners);
+      interfaces.sides.push_back({ { std::min(own, beyond), std::max(own, beyond) } });
+    }
+  }
+  return interfaces;
+}
+} // namespace mmm

@@ -1,0 +1,198 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmTetGen.h"
+
+#include "itkMacro.h"
+
+#include <tetgen.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+
+namespace mmm
+{
+namespace
+{
+/** What TetGen says at the exit codes that it throws. */
+const char *
+Words(int code)
+{
+  switch (code)
+  {
+    case 1:
+      return "Out of memory.";
+    case 2:
+      return "Encountered an internal error.";
+    case 3:
+      return "A self-intersection was detected.";
+    case 4:
+      return "A very small input feature size was detected.";
+    case 5:
+      return "Two very close input facets were detected.";
+    case 10:
+      return "An input error was detected.";
+    default:
+      return "Unknown exit code.";
+  }
+}
+
+void
+Run(const std::string & switches, tetgenio & in, tetgenio & out, tetgenio * interior)
+{
+  std::string arguments = switches;
+  try
+  {
+    tetrahedralize(&arguments[0], &in, &out, interior);
+  }
+  catch (int code)
+  {
+    itkGenericExceptionMacro("TetGen (" << switches << ") stopped with exit code " << code << ": " << Words(code)
+                                        << " Input: " << in.numberofpoints << " points, " << in.numberoffacets
+                                        << " facets.");
+  }
+  catch (const std::bad_alloc &)
+  {
+    itkGenericExceptionMacro("TetGen (" << switches << ") ran out of memory. Input: " << in.numberofpoints
+                                        << " points. Ask for larger elements, or use a machine with more memory.");
+  }
+}
+
+void
+SetPoints(tetgenio & io, const std::vector<Vector> & points, std::size_t begin, std::size_t end)
+{
+  io.firstnumber = 0;
+  io.numberofpoints = int(end - begin);
+  io.pointlist = new REAL[3 * (end - begin)];
+  for (std::size_t p = begin; p < end; ++p)
+  {
+    std::copy_n(points[p].data(), 3, io.pointlist + 3 * (p - begin));
+  }
+}
+
+Tetrahedron
+OrientedTetrahedron(const int * corners, const std::vector<Vector> & points)
+{
+  Tetrahedron t{ { PointId(corners[0]), PointId(corners[1]), PointId(corners[2]), PointId(corners[3]) } };
+  if (SignedVolume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) < 0.0)
+  {
+    std::swap(t[2], t[3]);
+  }
+  return t;
+}
+} // namespace
+
+std::vector<Tetrahedron>
+DelaunayTetrahedralization(const std::vector<Vector> & points)
+{
+  tetgenio in;
+  tetgenio out;
+  SetPoints(in, points, 0, points.size());
+  Run("zQ", in, out, nullptr);
+  std::vector<Tetrahedron> tetrahedra(out.numberoftetrahedra);
+  for (int t = 0; t < out.numberoftetrahedra; ++t)
+  {
+    tetrahedra[t] = OrientedTetrahedron(out.tetrahedronlist + std::size_t(4) * t, points);
+  }
+  return tetrahedra;
+}
+
+TetrahedralMesh
+TetrahedralizeRegions(std::vector<Vector> &           points,
+                      std::size_t                     numberOfFacetPoints,
+                      const std::vector<Triangle> &   facets,
+                      const std::vector<RegionSeed> & seeds)
+{
+  tetgenio in;
+  tetgenio out;
+  tetgenio interior;
+  SetPoints(in, points, 0, numberOfFacetPoints);
+  SetPoints(interior, points, numberOfFacetPoints, points.size());
+
+  std::vector<tetgenio::facet>   facetList(facets.size());
+  std::vector<tetgenio::polygon> polygons(facets.size());
+  std::vector<int>               corners(3 * facets.size());
+  for (std::size_t f = 0; f < facets.size(); ++f)
+  {
+    std::copy(facets[f].begin(), facets[f].end(), corners.begin() + 3 * f);
+    polygons[f].vertexlist = &corners[3 * f];
+    polygons[f].numberofvertices = 3;
+    facetList[f].polygonlist = &polygons[f];
+    facetList[f].numberofpolygons = 1;
+    facetList[f].holelist = nullptr;
+    facetList[f].numberofholes = 0;
+  }
+  in.facetlist = facetList.data();
+  in.numberoffacets = int(facets.size());
+
+  std::vector<double> holes;
+  std::vector<double> regions;
+  for (const auto & seed : seeds)
+  {
+    auto & list = seed.hole ? holes : regions;
+    list.insert(list.end(), seed.position.data(), seed.position.data() + 3);
+    if (!seed.hole)
+    {
+      regions.push_back(seed.material + 1.0); // 0 would mean that no seed reached a region
+      regions.push_back(-1.0);
+    }
+  }
+  in.holelist = holes.data();
+  in.numberofholes = int(holes.size() / 3);
+  in.regionlist = regions.data();
+  in.numberofregions = int(regions.size() / 5);
+
+  // the memory of these lists is ours: take it back before tetgenio would free it
+  const auto release = [&in]() {
+    in.facetlist = nullptr;
+    in.numberoffacets = 0;
+    in.holelist = nullptr;
+    in.regionlist = nullptr;
+  };
+  try
+  {
+    Run(points.size() > numberOfFacetPoints ? "zpYAiQ" : "zpYAQ", in, out, &interior);
+  }
+  catch (...)
+  {
+    release();
+    throw;
+  }
+  release();
+
+  // TetGen keeps the facets' points in front, in their order, but inserts those of the interior in an order of its own
+  points.resize(numberOfFacetPoints);
+  for (std::size_t p = numberOfFacetPoints; p < std::size_t(out.numberofpoints); ++p)
+  {
+    points.emplace_back(out.pointlist[3 * p], out.pointlist[3 * p + 1], out.pointlist[3 * p + 2]);
+  }
+  TetrahedralMesh mesh;
+  mesh.tetrahedra.reserve(out.numberoftetrahedra);
+  mesh.materials.reserve(out.numberoftetrahedra);
+  for (int t = 0; t < out.numberoftetrahedra; ++t)
+  {
+    const int attribute = int(out.tetrahedronattributelist[std::size_t(t) * out.numberoftetrahedronattributes] + 0.5);
+    if (attribute > 0)
+    {
+      mesh.tetrahedra.push_back(OrientedTetrahedron(out.tetrahedronlist + std::size_t(4) * t, points));
+      mesh.materials.push_back(Material(attribute - 1));
+    }
+  }
+  return mesh;
+}
+} // namespace mmm

@@ -1,0 +1,57 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmTetrahedronQuality.h"
+
+#include "itkMath.h"
+
+namespace mmm
+{
+std::array<double, 6>
+DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  const detail::TetrahedronNormals n(a, b, c, d);
+  const detail::Triple             cd = detail::Difference(d, c);
+  const double                     sixVolume = std::abs(n.sixVolume);
+  // |n_i x n_j| = 6V |edge|
+  const auto angle = [=](const detail::Triple & edge, const detail::Triple & first, const detail::Triple & second) {
+    // subtracted from 0 and not negated, because atan2(0, -0) is 180 degrees
+    const double cosine = 0.0 - detail::Dot(first, second);
+    return std::atan2(sixVolume * std::sqrt(detail::Dot(edge, edge)), cosine) * itk::Math::deg_per_rad;
+  };
+  return { { angle(n.ab, n.n2, n.n3),
+             angle(n.ac, n.n1, n.n3),
+             angle(n.ad, n.n1, n.n2),
+             angle(n.bc, n.n0, n.n3),
+             angle(n.bd, n.n0, n.n2),
+             angle(cd, n.n0, n.n1) } };
+}
+
+double
+MinimumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  const auto angles = DihedralAngles(a, b, c, d);
+  return *std::min_element(angles.begin(), angles.end());
+}
+
+double
+MaximumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  const auto angles = DihedralAngles(a, b, c, d);
+  return *std::max_element(angles.begin(), angles.end());
+}
+} // namespace mmm
