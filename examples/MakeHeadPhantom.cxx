@@ -23,7 +23,9 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <locale>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 namespace

@@ -35,8 +35,12 @@ namespace mmm
 class MultiMaterialMeshing_EXPORT IndicatorSet
 {
 public:
-  /** The views must outlive the set. */
-  IndicatorSet(const Grid & grid, std::vector<BlockView<const float>> indicators, double outside);
+  /** The views must outlive the set. Their values times `scale` are lengths in the unit of Grid, which `outside` is
+   * in, too. */
+  IndicatorSet(const Grid &                        grid,
+               std::vector<BlockView<const float>> indicators,
+               double                              outside,
+               double                              scale = 1.0);
 
   const Grid &
   GetGrid() const
@@ -126,6 +130,7 @@ private:
   Grid                                m_Grid;
   std::vector<BlockView<const float>> m_Indicators;
   double                              m_Outside;
+  double                              m_Scale;
   std::vector<Material>               m_NodeMaterials;
   Index                               m_Bricks{ { 0, 0, 0 } };
   std::vector<std::uint32_t>          m_BrickStart;

@@ -37,6 +37,11 @@ struct MaterialBox
 MultiMaterialMeshing_EXPORT std::vector<MaterialBox>
                             ComputeMaterialBoxes(const MaterialImage & image);
 
+/** The nodes that the indicator of a material covers: the material's box and the band around it, as far as the grid
+ * goes. */
+MultiMaterialMeshing_EXPORT MaterialBox
+                            ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
+
 /** \brief The smooth indicator function of one material: a signed distance, positive inside, of the smoothed material.
  *
  * 1. The signed distance whose zero level lies on the voxel faces.

@@ -79,7 +79,8 @@ public:
   void
   Redistance();
 
-  /** Moves the zero level by mean curvature until it rests: no value changes faster than `tolerance` per unit of time
+  /** Moves the zero level by the difference between its mean curvature and that curvature's local average, until it
+   * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. No value changes faster than `tolerance` per unit of time
    * (root mean square over the band), for at most `maximumSteps` explicit steps. `lower` and `upper`, given per node of
    * the band, are obstacles that the values never pass. Returns the number of steps taken. */
   int
@@ -89,9 +90,15 @@ public:
                       int                        maximumSteps);
 
 private:
+  struct Scratch
+  {
+    std::vector<float> weight; // per node of the block
+    std::vector<float> mean;
+    std::vector<float> bandMean; // per node of the band
+  };
   /** The average over the neighbourhood, within about 1.5 nodes, of a speed given per node of the band. */
-  std::vector<float>
-  MeanOverBand(const std::vector<float> & speed) const;
+  void
+  MeanOverBand(const std::vector<float> & speed, Scratch & scratch) const;
 
   Index                      m_Lower;
   Index                      m_Size;

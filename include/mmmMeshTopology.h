@@ -19,16 +19,12 @@
 #define mmmMeshTopology_h
 
 #include "MultiMaterialMeshingExport.h"
-#include "mmmTetrahedronQuality.h"
+#include "mmmTetrahedralMesh.h"
 
-#include <limits>
 #include <vector>
 
 namespace mmm
 {
-/** Where a face has no second tetrahedron. */
-constexpr std::uint32_t NoTetrahedron = std::numeric_limits<std::uint32_t>::max();
-
 /** A face on the boundary of a region: behind it is another one, or nothing. A face between two regions is listed once
  * for each of them. */
 struct BoundaryFace

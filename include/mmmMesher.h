@@ -19,6 +19,7 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmMeshOptimizer.h"
 #include "mmmParticles.h"
 #include "mmmTetrahedralMesh.h"
 
@@ -32,6 +33,7 @@ struct MeshingParameters
   int                  exterior{ -1 };
   std::uint64_t        seed{ 1 };
   RelaxationParameters relaxation;
+  OptimizationParameters optimization;
   /** Stop after the surface: no tetrahedra. */
   bool surfaceOnly{ false };
 };
@@ -47,6 +49,7 @@ struct MeshingReport
   std::size_t unusedParticles{ 0 };
   /** Points that TetGen added to the interior to recover the interfaces. */
   std::size_t steinerPoints{ 0 };
+  OptimizationReport optimization;
 };
 
 /** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */

@@ -33,21 +33,19 @@ struct RegionSeed
 {
   Vector   position;
   Material material;
-  /** Nothing is meshed in a hole. */
-  bool hole;
 };
 
 /** \brief The constrained Delaunay tetrahedralization of closed facets, without Steiner points on them.
  *
- * `points` holds the facets' points and then those of the interior. Each region takes the material of its seed; regions
- * with hole seeds, and what lies outside of all facets, stay empty. The interior points come back in another order, and
- * with them those that TetGen had to add to the interior in order to recover the facets. Throws itk::ExceptionObject
- * with TetGen's own words where it fails. */
+ * `points` holds the facets' points and those of the interior. Each region takes the material of its seed; regions of
+ * `exterior`, and what lies outside of all facets, stay empty. Points keep their numbers; those that TetGen had to add
+ * to the interior in order to recover the facets are appended. Throws itk::ExceptionObject with TetGen's own words where
+ * it fails. */
 MultiMaterialMeshing_EXPORT TetrahedralMesh
                             TetrahedralizeRegions(std::vector<Vector> &           points,
-                                                  std::size_t                     numberOfFacetPoints,
                                                   const std::vector<Triangle> &   facets,
-                                                  const std::vector<RegionSeed> & seeds);
+                                                  const std::vector<RegionSeed> & seeds,
+                                                  Material                        exterior);
 } // namespace mmm
 
 #endif

@@ -20,6 +20,7 @@
 
 #include "mmmGrid.h"
 #include "mmmMaterialImage.h"
+#include "mmmTetrahedronQuality.h"
 
 #include <array>
 #include <cstdint>
@@ -29,11 +30,6 @@ namespace mmm
 {
 using PointId = std::uint32_t;
 using Triangle = std::array<PointId, 3>;
-using Tetrahedron = std::array<PointId, 4>;
-
-/** The corners of the faces of a tetrahedron; face f is opposite corner f. Seen from outside a positively oriented
- * tetrahedron, they run counterclockwise. */
-constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 /** The tetrahedron beyond a face on the outside of a mesh. */
 constexpr std::uint32_t NoTetrahedron = 0xffffffffu;
@@ -51,12 +47,6 @@ struct InterfaceMesh
   std::vector<Triangle>                triangles;
   std::vector<std::array<Material, 2>> sides;
 };
-
-inline double
-SignedVolume(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
-{
-  return (b - a).cross(c - a).dot(d - a) / 6.0;
-}
 } // namespace mmm
 
 #endif

@@ -39,10 +39,14 @@ struct IndicatorSet::Stencil
   double slope[3][4];
 };
 
-IndicatorSet::IndicatorSet(const Grid & grid, std::vector<BlockView<const float>> indicators, double outside)
+IndicatorSet::IndicatorSet(const Grid &                        grid,
+                           std::vector<BlockView<const float>> indicators,
+                           double                              outside,
+                           double                              scale)
   : m_Grid(grid)
   , m_Indicators(std::move(indicators))
   , m_Outside(outside)
+  , m_Scale(scale)
 {
   this->ListCandidates();
 }
@@ -51,6 +55,7 @@ void
 IndicatorSet::ListCandidates()
 {
   const std::size_t  count = m_Grid.NumberOfNodes();
+  const float        scale = float(m_Scale);
   std::vector<float> largest(count, float(m_Outside) - 1.0f);
   m_NodeMaterials.assign(count, 0);
   for (std::size_t m = 0; m < m_Indicators.size(); ++m)
@@ -65,9 +70,10 @@ IndicatorSet::ListCandidates()
           const auto    row = m_Grid.Offset(block.lower[0], block.lower[1] + j, block.lower[2] + k);
           for (int i = 0; i < block.size[0]; ++i)
           {
-            if (values[i] > largest[row + i])
+            const float value = values[i] * scale;
+            if (value > largest[row + i])
             {
-              largest[row + i] = values[i];
+              largest[row + i] = value;
               m_NodeMaterials[row + i] = Material(m);
             }
           }
@@ -121,7 +127,7 @@ IndicatorSet::ListCandidates()
                 const auto row = m_Grid.Offset(0, j, k);
                 for (int i = low[0]; i < high[0] && !found; ++i)
                 {
-                  found = values[i] > largest[row + i] - CandidateMargin;
+                  found = values[i] * scale > largest[row + i] - CandidateMargin;
                 }
               }
             }
@@ -211,7 +217,8 @@ IndicatorSet::Evaluate(Material m, const Stencil & stencil, Vector & gradient) c
       inside = inside && local[a][n] >= 0 && local[a][n] < block.size[a];
     }
   }
-  double value = 0.0;
+  const double outside = m_Outside / m_Scale;
+  double       value = 0.0;
   gradient.setZero();
   for (int k = 0; k < 4; ++k)
   {
@@ -241,7 +248,7 @@ IndicatorSet::Evaluate(Material m, const Stencil & stencil, Vector & gradient) c
           const bool   known = rowInside && local[0][i] >= 0 && local[0][i] < block.size[0];
           const double f = known ? block.values[(std::size_t(local[2][k]) * block.size[1] + local[1][j]) * block.size[0] +
                                                 local[0][i]]
-                                 : m_Outside;
+                                 : outside;
           rowValue += stencil.weight[0][i] * f;
           rowX += stencil.slope[0][i] * f;
         }
@@ -255,7 +262,8 @@ IndicatorSet::Evaluate(Material m, const Stencil & stencil, Vector & gradient) c
     gradient[1] += stencil.weight[2][k] * planeY;
     gradient[2] += stencil.slope[2][k] * planeValue;
   }
-  return value;
+  gradient *= m_Scale;
+  return value * m_Scale;
 }
 
 double

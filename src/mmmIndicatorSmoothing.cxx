@@ -34,9 +34,18 @@ constexpr int BorderContinuation = 3;
 constexpr float CentreMargin = 0.1f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
+/** The boundary moves less than a voxel: nodes further away need not be solved for. */
+constexpr double FlowBandWidth = 2.0;
 constexpr double FlowTolerance = 0.005;
 constexpr int    AntiAliasSteps = 100;
 constexpr int    TighteningSteps = 60;
+
+/** How many nodes the band reaches beyond a material's box along an axis. */
+int
+BandNodes(const Grid & grid, int axis)
+{
+  return 1 + int(std::ceil(IndicatorBandWidth / grid.spacing[axis]));
+}
 
 std::vector<float>
 BandValues(const LevelSet & levelSet)
@@ -141,6 +150,19 @@ ComputeMaterialBoxes(const MaterialImage & image)
   return boxes;
 }
 
+MaterialBox
+ComputeIndicatorBox(const Grid & grid, const MaterialBox & box)
+{
+  MaterialBox covered;
+  for (int a = 0; a < 3; ++a)
+  {
+    const int band = BandNodes(grid, a);
+    covered.lower[a] = std::max(box.lower[a] - band, 0);
+    covered.size[a] = std::min(box.lower[a] + box.size[a] + band, grid.size[a]) - covered.lower[a];
+  }
+  return covered;
+}
+
 Block<float>
 ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius)
 {
@@ -148,25 +170,28 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   Index        lower;
   Index        size;
   Block<float> indicator;
+  const auto   covered = ComputeIndicatorBox(grid, box);
+  indicator.lower = covered.lower;
+  indicator.size = covered.size;
   for (int a = 0; a < 3; ++a)
   {
-    const int band = 1 + int(std::ceil(IndicatorBandWidth / grid.spacing[a]));
+    const int band = BandNodes(grid, a);
     const int low = std::max(box.lower[a] - band, -BorderContinuation);
     const int high = std::min(box.lower[a] + box.size[a] + band, grid.size[a] + BorderContinuation);
     lower[a] = low;
     size[a] = high - low;
-    indicator.lower[a] = std::max(low, 0);
-    indicator.size[a] = std::min(high, grid.size[a]) - indicator.lower[a];
   }
 
   LevelSet levelSet(lower, size, grid.spacing, IndicatorBandWidth);
   ComputeBoxDistance(image, material, levelSet);
-  levelSet.SelectBand(IndicatorBandWidth);
   if (radius > 0.0)
   {
+    const double flowBand = FlowBandWidth + std::max(0.0, radius - 0.5);
+    levelSet.SelectBand(flowBand);
     AntiAlias(levelSet);
     levelSet.Redistance();
     Tighten(levelSet, radius);
+    levelSet.SelectBand(IndicatorBandWidth);
     levelSet.Redistance();
   }
 

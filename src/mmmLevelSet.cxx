@@ -28,7 +28,7 @@ namespace
 {
 constexpr std::size_t Grain = 8192;
 constexpr int         AveragingRounds = 8;
-constexpr int         StepsPerMean = 4;
+constexpr int         StepsPerMean = 6;
 
 /** The smallest distance d with sum over axes of (max(d - t_a, 0) / s_a)^2 = 1: Godunov's solution of |grad d| = 1. */
 double
@@ -172,15 +172,18 @@ LevelSet::Redistance()
   }
 }
 
-std::vector<float>
-LevelSet::MeanOverBand(const std::vector<float> & speed) const
+void
+LevelSet::MeanOverBand(const std::vector<float> & speed, Scratch & scratch) const
 {
   // Repeated averages over the six neighbours; nodes count the less, the further they are from the zero level.
   const std::array<std::ptrdiff_t, 3> stride{ { 1, m_Size[0], std::ptrdiff_t(m_Size[0]) * m_Size[1] } };
   const std::size_t                   count = m_Band.size();
-  std::vector<float>                  weight(m_Values.size(), 0.0f);
-  std::vector<float>                  mean(m_Values.size(), 0.0f);
-  std::vector<float>                  next(count);
+  std::vector<float> &                weight = scratch.weight;
+  std::vector<float> &                mean = scratch.mean;
+  std::vector<float> &                next = scratch.bandMean;
+  weight.resize(m_Values.size(), 0.0f);
+  mean.resize(m_Values.size(), 0.0f);
+  next.resize(count);
   ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
     {
@@ -213,7 +216,6 @@ LevelSet::MeanOverBand(const std::vector<float> & speed) const
       }
     });
   }
-  return next;
 }
 
 int
@@ -235,7 +237,7 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
   const double         timeStep = 0.45 / (qx + qy + qz);
   const std::size_t    count = m_Band.size();
   std::vector<float>   speed(count);
-  std::vector<float>   mean;
+  Scratch              scratch;
   const std::size_t    ranges = (count + Grain - 1) / Grain;
   std::vector<double>  squares(ranges);
 
@@ -264,14 +266,14 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
     });
     if (step % StepsPerMean == 0)
     {
-      mean = this->MeanOverBand(speed);
+      this->MeanOverBand(speed, scratch);
     }
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       double sum = 0.0;
       for (std::size_t b = begin; b < end; ++b)
       {
         float &      v = m_Values[m_Band[b]];
-        const float  moved = v + float(timeStep) * (speed[b] - mean[b]);
+        const float  moved = v + float(timeStep) * (speed[b] - scratch.bandMean[b]);
         const float  next = std::min(upper[b], std::max(lower[b], moved));
         const double change = double(next) - v;
         sum += change * change;

@@ -18,6 +18,7 @@
 #include "mmmMesher.h"
 
 #include "mmmInteriorParticles.h"
+#include "mmmMeshOptimizer.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmTetGen.h"
 #include "mmmTetrahedronNeighbours.h"
@@ -67,6 +68,46 @@ DropUnusedParticles(ParticleSet & particles, InterfaceMesh & interfaces)
   return dropped;
 }
 
+/** Drops the points that no tetrahedron uses, among them collapsed particles, and renumbers the tetrahedra. */
+void
+DropUnusedPoints(std::vector<Vector> & points, ParticleSet & particles, TetrahedralMesh & mesh)
+{
+  std::vector<PointId> number(points.size(), 0);
+  for (const auto & t : mesh.tetrahedra)
+  {
+    for (const auto corner : t)
+    {
+      number[corner] = 1;
+    }
+  }
+  PointId     kept = 0;
+  std::size_t keptParticles = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (number[p])
+    {
+      if (p < particles.Size())
+      {
+        particles.positions[kept] = points[p];
+        particles.cells[kept] = particles.cells[p];
+        keptParticles = kept + 1;
+      }
+      points[kept] = points[p];
+      number[p] = kept++;
+    }
+  }
+  points.resize(kept);
+  particles.positions.resize(keptParticles);
+  particles.cells.resize(keptParticles);
+  for (auto & t : mesh.tetrahedra)
+  {
+    for (auto & corner : t)
+    {
+      corner = number[corner];
+    }
+  }
+}
+
 std::size_t
 CountInconsistentTriangles(const IndicatorSet & indicators,
                            const ParticleSet &  particles,
@@ -107,7 +148,8 @@ PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mes
     }
     const Material material = mesh.materials[first];
     double         thickest = -1.0;
-    RegionSeed     seed{ Vector::Zero(), material, material == exterior };
+    RegionSeed     seed{ Vector::Zero(), material };
+    bool           enclosed = true;
     visited[first] = 1;
     stack.push_back(first);
     while (!stack.empty())
@@ -116,7 +158,7 @@ PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mes
       stack.pop_back();
       const auto &   c = mesh.tetrahedra[t];
       const Vector & p = points[c[0]];
-      const double   volume = SignedVolume(p, points[c[1]], points[c[2]], points[c[3]]);
+      const double   volume = TetrahedronVolume(p, points[c[1]], points[c[2]], points[c[3]]);
       double         longest = 0.0;
       for (int e = 0; e < 6; ++e)
       {
@@ -131,6 +173,7 @@ PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mes
       }
       for (const auto other : neighbours[t])
       {
+        enclosed = enclosed && other != NoTetrahedron;
         if (other != NoTetrahedron && !visited[other] && mesh.materials[other] == material)
         {
           visited[other] = 1;
@@ -138,7 +181,11 @@ PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mes
         }
       }
     }
-    seeds.push_back(seed);
+    // what reaches the convex hull is outside of all facets if it is exterior
+    if (material != exterior || enclosed)
+    {
+      seeds.push_back(seed);
+    }
   }
   return seeds;
 }
@@ -203,8 +250,19 @@ BuildMesh(const IndicatorSet &      indicators,
 
   monitor.BeginStage("constrained tetrahedralization");
   result.points = all.positions;
-  result.tetrahedra = TetrahedralizeRegions(result.points, particles.Size(), result.interfaces.triangles, seeds);
+  result.tetrahedra = TetrahedralizeRegions(result.points, result.interfaces.triangles, seeds, exterior);
   report.steinerPoints = result.points.size() - all.Size();
   monitor.Report(1.0);
+
+  monitor.BeginStage("optimization");
+  std::vector<Cell> cells(particles.Size());
+  for (std::size_t p = 0; p < cells.size(); ++p)
+  {
+    cells[p] = particles.CellOf(p);
+  }
+  report.optimization =
+    OptimizeMesh(indicators, exterior, cells, parameters.optimization, result.points, result.tetrahedra, monitor);
+  DropUnusedPoints(result.points, particles, result.tetrahedra);
+  result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
 }
 } // namespace mmm

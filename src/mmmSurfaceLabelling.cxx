@@ -116,7 +116,7 @@ ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
       Triangle corners;
       for (int c = 0; c < 3; ++c)
       {
-        corners[c] = mesh.tetrahedra[t][FaceCorners[f][c]];
+        corners[c] = mesh.tetrahedra[t][TetrahedronFaces[f][c]];
       }
       if (own > beyond)
       {

@@ -53,12 +53,12 @@ Words(int code)
 }
 
 void
-Run(const std::string & switches, tetgenio & in, tetgenio & out, tetgenio * interior)
+Run(const std::string & switches, tetgenio & in, tetgenio & out)
 {
   std::string arguments = switches;
   try
   {
-    tetrahedralize(&arguments[0], &in, &out, interior);
+    tetrahedralize(&arguments[0], &in, &out);
   }
   catch (int code)
   {
@@ -74,26 +74,37 @@ Run(const std::string & switches, tetgenio & in, tetgenio & out, tetgenio * inte
 }
 
 void
-SetPoints(tetgenio & io, const std::vector<Vector> & points, std::size_t begin, std::size_t end)
+SetPoints(tetgenio & io, const std::vector<Vector> & points)
 {
   io.firstnumber = 0;
-  io.numberofpoints = int(end - begin);
-  io.pointlist = new REAL[3 * (end - begin)];
-  for (std::size_t p = begin; p < end; ++p)
+  io.numberofpoints = int(points.size());
+  io.pointlist = new REAL[3 * points.size()];
+  for (std::size_t p = 0; p < points.size(); ++p)
   {
-    std::copy_n(points[p].data(), 3, io.pointlist + 3 * (p - begin));
+    std::copy_n(points[p].data(), 3, io.pointlist + 3 * p);
   }
 }
 
-Tetrahedron
-OrientedTetrahedron(const int * corners, const std::vector<Vector> & points)
+/** TetGen's tetrahedra, each turned to positive orientation: its own varies. */
+std::vector<Tetrahedron>
+OrientedTetrahedra(const tetgenio & out)
 {
-  Tetrahedron t{ { PointId(corners[0]), PointId(corners[1]), PointId(corners[2]), PointId(corners[3]) } };
-  if (SignedVolume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) < 0.0)
+  std::vector<Tetrahedron> tetrahedra(out.numberoftetrahedra);
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
   {
-    std::swap(t[2], t[3]);
+    Vector x[4];
+    for (int c = 0; c < 4; ++c)
+    {
+      const int corner = out.tetrahedronlist[4 * t + c];
+      tetrahedra[t][c] = PointId(corner);
+      std::copy_n(out.pointlist + std::size_t(3) * corner, 3, x[c].data());
+    }
+    if (TetrahedronVolume(x[0], x[1], x[2], x[3]) < 0.0)
+    {
+      std::swap(tetrahedra[t][2], tetrahedra[t][3]);
+    }
   }
-  return t;
+  return tetrahedra;
 }
 } // namespace
 
@@ -102,27 +113,20 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
 {
   tetgenio in;
   tetgenio out;
-  SetPoints(in, points, 0, points.size());
-  Run("zQ", in, out, nullptr);
-  std::vector<Tetrahedron> tetrahedra(out.numberoftetrahedra);
-  for (int t = 0; t < out.numberoftetrahedra; ++t)
-  {
-    tetrahedra[t] = OrientedTetrahedron(out.tetrahedronlist + std::size_t(4) * t, points);
-  }
-  return tetrahedra;
+  SetPoints(in, points);
+  Run("zJQ", in, out);
+  return OrientedTetrahedra(out);
 }
 
 TetrahedralMesh
 TetrahedralizeRegions(std::vector<Vector> &           points,
-                      std::size_t                     numberOfFacetPoints,
                       const std::vector<Triangle> &   facets,
-                      const std::vector<RegionSeed> & seeds)
+                      const std::vector<RegionSeed> & seeds,
+                      Material                        exterior)
 {
   tetgenio in;
   tetgenio out;
-  tetgenio interior;
-  SetPoints(in, points, 0, numberOfFacetPoints);
-  SetPoints(interior, points, numberOfFacetPoints, points.size());
+  SetPoints(in, points);
 
   std::vector<tetgenio::facet>   facetList(facets.size());
   std::vector<tetgenio::polygon> polygons(facets.size());
@@ -140,20 +144,13 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   in.facetlist = facetList.data();
   in.numberoffacets = int(facets.size());
 
-  std::vector<double> holes;
   std::vector<double> regions;
   for (const auto & seed : seeds)
   {
-    auto & list = seed.hole ? holes : regions;
-    list.insert(list.end(), seed.position.data(), seed.position.data() + 3);
-    if (!seed.hole)
-    {
-      regions.push_back(seed.material + 1.0); // 0 would mean that no seed reached a region
-      regions.push_back(-1.0);
-    }
+    regions.insert(regions.end(), seed.position.data(), seed.position.data() + 3);
+    regions.push_back(seed.material + 1.0); // 0 would mean that no seed reached a region
+    regions.push_back(-1.0);
   }
-  in.holelist = holes.data();
-  in.numberofholes = int(holes.size() / 3);
   in.regionlist = regions.data();
   in.numberofregions = int(regions.size() / 5);
 
@@ -161,12 +158,11 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   const auto release = [&in]() {
     in.facetlist = nullptr;
     in.numberoffacets = 0;
-    in.holelist = nullptr;
     in.regionlist = nullptr;
   };
   try
   {
-    Run(points.size() > numberOfFacetPoints ? "zpYAiQ" : "zpYAQ", in, out, &interior);
+    Run("zpYAJQ", in, out);
   }
   catch (...)
   {
@@ -175,21 +171,21 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   }
   release();
 
-  // TetGen keeps the facets' points in front, in their order, but inserts those of the interior in an order of its own
-  points.resize(numberOfFacetPoints);
-  for (std::size_t p = numberOfFacetPoints; p < std::size_t(out.numberofpoints); ++p)
+  // with -J TetGen keeps all input points in front, in their order
+  for (std::size_t p = points.size(); p < std::size_t(out.numberofpoints); ++p)
   {
     points.emplace_back(out.pointlist[3 * p], out.pointlist[3 * p + 1], out.pointlist[3 * p + 2]);
   }
   TetrahedralMesh mesh;
+  const auto tetrahedra = OrientedTetrahedra(out);
   mesh.tetrahedra.reserve(out.numberoftetrahedra);
   mesh.materials.reserve(out.numberoftetrahedra);
   for (int t = 0; t < out.numberoftetrahedra; ++t)
   {
     const int attribute = int(out.tetrahedronattributelist[std::size_t(t) * out.numberoftetrahedronattributes] + 0.5);
-    if (attribute > 0)
+    if (attribute > 0 && Material(attribute - 1) != exterior)
     {
-      mesh.tetrahedra.push_back(OrientedTetrahedron(out.tetrahedronlist + std::size_t(4) * t, points));
+      mesh.tetrahedra.push_back(tetrahedra[t]);
       mesh.materials.push_back(Material(attribute - 1));
     }
   }

@@ -48,7 +48,7 @@ ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra)
       Triangle corners;
       for (int c = 0; c < 3; ++c)
       {
-        corners[c] = tetrahedra[t][FaceCorners[f][c]];
+        corners[c] = tetrahedra[t][TetrahedronFaces[f][c]];
       }
       std::sort(corners.begin(), corners.end());
       const auto      slot = std::uint32_t(4 * t + f);

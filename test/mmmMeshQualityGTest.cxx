@@ -741,6 +741,10 @@ TEST(mmmMeshQuality, SurvivesTetrahedraThatUseAPointTwice)
   const auto report = mesh.Measure();
   EXPECT_EQ(report.tetrahedra.nonPositive, 11u);
   EXPECT_EQ(report.tetrahedra.smallestAngle.minimum, 0.0);
+
+  mesh.tetrahedra = { { { 0, 0, 1, 2 } } };
+  mesh.labels = { 1 };
+  EXPECT_EQ(mesh.Measure().overusedFaces, 0u) << "a tetrahedron was counted twice at a point";
 }
 
 TEST(mmmMeshQuality, EmptyMeshGivesZeros)

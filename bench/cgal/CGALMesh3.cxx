@@ -75,7 +75,7 @@ PrintPeakMemory()
 #endif
 }
 
-/** Else components that none of some twenty random rays from the centre hits are found by chance only. */
+/** CGAL's own initial points lie on a few rays from the middle of the image: what they miss is found by chance only. */
 void
 SeedComponents(Complex & mesh, const Domain & domain, const CGAL::Image_3 & image, const Criteria & criteria)
 {

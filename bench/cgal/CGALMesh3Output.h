@@ -43,7 +43,8 @@ WriteTetrahedra(const TC3t3 & c3t3, const LabelImage & image, const std::string 
   mesh->GetCells()->Reserve(c3t3.number_of_cells_in_complex());
   const bool flipped = vnl_determinant(image.GetDirection().GetVnlMatrix()) < 0;
 
-  std::unordered_map<typename TC3t3::Vertex_handle, itk::IdentifierType, boost::hash<typename TC3t3::Vertex_handle>> ids;
+  std::unordered_map<typename TC3t3::Vertex_handle, itk::IdentifierType, boost::hash<typename TC3t3::Vertex_handle>>
+             ids;
   const auto idOf = [&](const typename TC3t3::Vertex_handle & vertex) {
     const auto inserted = ids.emplace(vertex, ids.size());
     if (inserted.second)

@@ -1,0 +1,242 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "CommandLine.h"
+
+#include "Errors.h"
+#include "OptionTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <locale>
+#include <sstream>
+#include <type_traits>
+
+namespace cli
+{
+namespace
+{
+std::string
+NameOf(const Option & option)
+{
+  return option.IsPositional() ? option.name : "--" + option.name;
+}
+
+std::string
+DescribeRange(const Option & option, bool isWhole)
+{
+  const Range &      range = option.range;
+  std::ostringstream text;
+  text << (isWhole ? "a whole number" : "a number");
+  if (std::isfinite(range.maximum))
+  {
+    text << " from " << range.minimum << " to " << range.maximum;
+  }
+  else
+  {
+    text << (range.minimumAllowed ? " of at least " : " above ") << range.minimum;
+  }
+  return text.str() + (option.unit.empty() ? "" : " (" + option.unit + ")");
+}
+
+template <typename TNumber>
+TNumber
+ParseNumber(const Option & option, const std::string & text)
+{
+  constexpr bool isWhole = std::is_integral_v<TNumber>;
+  // Streams take a minus for unsigned numbers; they are independent of the locale, unlike strtod().
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  TNumber       value{};
+  const bool    isNumber = !(stream >> value).fail() && stream.eof() && !(isWhole && text.front() == '-');
+  const double  number = double(value);
+  const Range & range = option.range;
+  if (!isNumber || number > range.maximum || number < range.minimum ||
+      (number == range.minimum && !range.minimumAllowed))
+  {
+    throw UsageError("--" + option.name + " is '" + text + "'; it has to be " + DescribeRange(option, isWhole));
+  }
+  return value;
+}
+
+std::vector<int>
+ParseLabels(const Option & option, const std::string & text)
+{
+  std::vector<int> labels;
+  if (text == "none")
+  {
+    return labels;
+  }
+  const char *       position = text.data();
+  const char * const end = position + text.size();
+  while (true)
+  {
+    int        label = 0;
+    const auto result = std::from_chars(position, end, label);
+    if (result.ec != std::errc() || (result.ptr != end && *result.ptr != ','))
+    {
+      throw UsageError("--" + option.name + " is '" + text +
+                       "'; it has to be integer labels separated by commas, for instance 0,5, or none");
+    }
+    labels.push_back(label);
+    if (result.ptr == end)
+    {
+      return labels;
+    }
+    position = result.ptr + 1;
+  }
+}
+
+/** Adds an option to the parser, by the type of the member of Settings that it fills. */
+class OptionAdder
+{
+public:
+  OptionAdder(CLI::App & parser, const Option & option, Settings & settings)
+    : m_Parser(parser)
+    , m_Option(option)
+    , m_Settings(settings)
+  {}
+
+  void
+  operator()(bool Settings::* field) const
+  {
+    m_Parser.add_flag(NameOf(m_Option), m_Settings.*field);
+  }
+
+  void
+  operator()(std::vector<int> Settings::* field) const
+  {
+    this->AddText([this_ = *this, field](const std::string & text) {
+      this_.m_Settings.*field = ParseLabels(this_.m_Option, text);
+    });
+  }
+
+  void
+  operator()(std::string Settings::* field) const
+  {
+    this->AddText([this_ = *this, field](const std::string & text) { this_.m_Settings.*field = text; });
+  }
+
+  template <typename T>
+  void
+  operator()(T Settings::* field) const
+  {
+    this->AddNumber<T>(field);
+  }
+
+  template <typename T>
+  void
+  operator()(std::optional<T> Settings::* field) const
+  {
+    this->AddNumber<T>(field);
+  }
+
+private:
+  void
+  AddText(const std::function<void(const std::string &)> & take) const
+  {
+    m_Parser.add_option_function<std::string>(NameOf(m_Option), take)
+      ->required(m_Option.IsPositional())
+      ->type_name(m_Option.placeholder);
+  }
+
+  template <typename TNumber, typename TField>
+  void
+  AddNumber(TField field) const
+  {
+    this->AddText([this_ = *this, field](const std::string & text) {
+      this_.m_Settings.*field = ParseNumber<TNumber>(this_.m_Option, text);
+    });
+  }
+
+  CLI::App &     m_Parser;
+  const Option & m_Option;
+  Settings &     m_Settings;
+};
+
+void
+CheckMeshName(const std::string & option, const std::string & fileName)
+{
+  const std::string extension = ".vtu";
+  if (!fileName.empty() && (fileName.size() <= extension.size() ||
+                            fileName.compare(fileName.size() - extension.size(), extension.size(), extension) != 0))
+  {
+    throw UsageError(option + " is '" + fileName + "'; meshes are written as .vtu (VTK XML unstructured grid) only");
+  }
+}
+
+/** What no single option can tell. */
+void
+CheckTogether(const Settings & settings)
+{
+  for (const Option & option : OptionTable())
+  {
+    if (option.kind == Kind::Mesh)
+    {
+      CheckMeshName(NameOf(option), settings.*std::get<std::string Settings::*>(option.field));
+    }
+  }
+  if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
+  {
+    std::ostringstream message;
+    message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
+    throw UsageError(message.str());
+  }
+  if (settings.surfaceOnly && !settings.surface.empty())
+  {
+    throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
+  }
+}
+} // namespace
+
+Request
+ParseCommandLine(int argc, const char * const * argv, Settings & settings)
+{
+  CLI::App parser;
+  parser.allow_windows_style_options(false);
+  parser.set_help_flag("");
+  const CLI::Option * const help = parser.add_flag("-h,--help");
+  const CLI::Option * const version = parser.add_flag("--version");
+  for (const Option & option : OptionTable())
+  {
+    std::visit(OptionAdder(parser, option, settings), option.field);
+  }
+
+  try
+  {
+    parser.parse(argc, argv);
+  }
+  catch (const CLI::ParseError & error)
+  {
+    // Whoever asks for help is not told first what else is missing.
+    if (help->count() == 0 && version->count() == 0)
+    {
+      throw UsageError(ToOneLine(error.what()) + "; --help lists the options");
+    }
+  }
+  if (help->count() > 0 || version->count() > 0)
+  {
+    return help->count() > 0 ? Request::Help : Request::Version;
+  }
+  settings.exteriorIsListed = parser.get_option("--exterior")->count() > 0;
+  CheckTogether(settings);
+  return Request::Mesh;
+}
+} // namespace cli

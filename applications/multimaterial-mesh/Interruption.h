@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef Interruption_h
+#define Interruption_h
+
+namespace cli
+{
+/** From now on, Ctrl-C and the like are only noted, the first time; a second one ends the program at once. */
+void
+CatchInterruptions();
+
+/** The signal that was noted; 0 if none. */
+int
+GetInterruption();
+
+/** Throws itk::ProcessAborted if a signal was noted. */
+void
+ThrowIfInterrupted();
+} // namespace cli
+
+#endif

@@ -1,0 +1,267 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "OptionTable.h"
+
+#include <sstream>
+
+namespace cli
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const Range      AnyValue;
+const Range      Positive{ 0.0, false, Infinity };
+const Range      NonNegative{ 0.0, true, Infinity };
+const Range      AtLeastOne{ 1.0, true, 1024.0 };
+
+template <typename T>
+std::string
+ToText(const T & value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::vector<Option>
+MakeTable()
+{
+  const Settings standard;
+  return {
+    { "LABELS",
+      &Settings::labels,
+      Kind::LabelImage,
+      Channel::Input,
+      "Input",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Three-dimensional image of integer labels: .nrrd, .nii, .nii.gz, .mha, .mhd." },
+    { "exterior",
+      &Settings::exterior,
+      Kind::Labels,
+      Channel::Input,
+      "Input",
+      "L[,L...]",
+      "",
+      AnyValue,
+      "0",
+      "Labels that are not meshed; 'none' meshes all." },
+    { "min-island",
+      &Settings::minIsland,
+      Kind::Integer,
+      Channel::Input,
+      "Input",
+      "N",
+      "voxels",
+      NonNegative,
+      ToText(standard.minIsland),
+      "Islands of fewer voxels go to the label that they touch most. A label's largest part always stays; 0 keeps "
+      "everything." },
+
+    { "OUTPUT",
+      &Settings::output,
+      Kind::Mesh,
+      Channel::Output,
+      "Output",
+      "",
+      "",
+      AnyValue,
+      "",
+      "File for the tetrahedra, with the cell array 'label': .vtu." },
+    { "surface",
+      &Settings::surface,
+      Kind::Mesh,
+      Channel::Output,
+      "Output",
+      "FILE.vtu",
+      "",
+      AnyValue,
+      "",
+      "Also write the interfaces: triangles with the cell arrays 'label_a' and 'label_b'." },
+    { "particles",
+      &Settings::particles,
+      Kind::Mesh,
+      Channel::Output,
+      "Output",
+      "FILE.vtu",
+      "",
+      AnyValue,
+      "",
+      "Also write the particles that sample the interfaces." },
+    { "surface-only",
+      &Settings::surfaceOnly,
+      Kind::Flag,
+      Channel::Input,
+      "Output",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Make no tetrahedra; OUTPUT is the surface." },
+    { "report",
+      &Settings::report,
+      Kind::File,
+      Channel::Output,
+      "Output",
+      "FILE.json",
+      "",
+      AnyValue,
+      "",
+      "Write parameters, time and memory per stage, counts and quality per label." },
+
+    { "radius",
+      &Settings::radius,
+      Kind::Real,
+      Channel::Input,
+      "Smoothing",
+      "R",
+      "mm",
+      NonNegative,
+      "0.5 of the smallest spacing",
+      "Tightening radius: details thinner than about twice of it are smoothed away; 0 does not smooth." },
+    { "save-indicators",
+      &Settings::indicatorPrefix,
+      Kind::FilePrefix,
+      Channel::Output,
+      "Smoothing",
+      "PREFIX",
+      "",
+      AnyValue,
+      "",
+      "Write the smooth indicator function of each label as PREFIX<label>.nrrd." },
+
+    { "epsilon",
+      &Settings::epsilon,
+      Kind::Real,
+      Channel::Input,
+      "Sizing",
+      "E",
+      "",
+      Positive,
+      ToText(standard.epsilon),
+      "Edge length per local feature size; 1 makes thin layers finer." },
+    { "tolerance",
+      &Settings::tolerance,
+      Kind::Real,
+      Channel::Input,
+      "Sizing",
+      "D",
+      "mm",
+      Positive,
+      "0.1 of the smallest spacing",
+      "Chord tolerance: how far an edge may be from the curved interface that it stands for." },
+    { "gradient-limit",
+      &Settings::gradientLimit,
+      Kind::Real,
+      Channel::Input,
+      "Sizing",
+      "G",
+      "",
+      Positive,
+      ToText(standard.gradientLimit),
+      "How fast the edge length may grow with distance." },
+    { "min-size",
+      &Settings::minSize,
+      Kind::Real,
+      Channel::Input,
+      "Sizing",
+      "H",
+      "mm",
+      Positive,
+      "the smallest spacing",
+      "Smallest edge length to ask for." },
+    { "max-size",
+      &Settings::maxSize,
+      Kind::Real,
+      Channel::Input,
+      "Sizing",
+      "H",
+      "mm",
+      Positive,
+      "no limit",
+      "Largest edge length to ask for." },
+    { "sizing-image",
+      &Settings::sizingImage,
+      Kind::ScalarImage,
+      Channel::Input,
+      "Sizing",
+      "FILE",
+      "",
+      AnyValue,
+      "",
+      "Image of edge lengths in mm that are not to be exceeded." },
+    { "save-sizing",
+      &Settings::sizingFile,
+      Kind::ScalarImage,
+      Channel::Output,
+      "Sizing",
+      "FILE",
+      "",
+      AnyValue,
+      "",
+      "Write the sizing field, the edge length asked for in mm: .nrrd, .nii, .nii.gz or .mha." },
+
+    { "threads",
+      &Settings::threads,
+      Kind::Integer,
+      Channel::Input,
+      "Advanced",
+      "N",
+      "",
+      AtLeastOne,
+      "all cores",
+      "Number of threads; it does not change the result." },
+    { "seed",
+      &Settings::seed,
+      Kind::Integer,
+      Channel::Input,
+      "Advanced",
+      "N",
+      "",
+      NonNegative,
+      ToText(standard.seed),
+      "Seed of the random order in which particles are thinned." },
+    { "quiet",
+      &Settings::quiet,
+      Kind::Flag,
+      Channel::Input,
+      "Advanced",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Print warnings and errors only." },
+  };
+}
+} // namespace
+
+bool
+Option::IsPositional() const
+{
+  return name.front() >= 'A' && name.front() <= 'Z';
+}
+
+const std::vector<Option> &
+OptionTable()
+{
+  static const std::vector<Option> table = MakeTable();
+  return table;
+}
+} // namespace cli

@@ -1,0 +1,253 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "Report.h"
+
+#include "Version.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace cli
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json
+Number(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/** An object for each label: {"label": 1, <name>: <value>}. */
+template <typename TCounts>
+Json
+PerLabel(const TCounts & counts, const char * name)
+{
+  Json list = Json::array();
+  for (const auto & [label, count] : counts)
+  {
+    list.push_back({ { "label", label }, { name, count } });
+  }
+  return list;
+}
+
+template <typename TVector>
+Json
+Triple(const TVector & values)
+{
+  return { Number(values[0]), Number(values[1]), Number(values[2]) };
+}
+
+Json
+InputSection(const Outcome & outcome)
+{
+  const auto size = outcome.labels->GetLargestPossibleRegion().GetSize();
+  Json       section;
+  section["file"] = outcome.settings.labels;
+  section["size"] = { size[0], size[1], size[2] };
+  section["spacing_mm"] = Triple(outcome.labels->GetSpacing());
+  section["origin_mm"] = Triple(outcome.labels->GetOrigin());
+  section["labels"] = PerLabel(outcome.voxels, "voxels");
+  return section;
+}
+
+Json
+ParameterSection(const Settings & settings)
+{
+  const auto length = [](const std::optional<double> & value) { return value ? Number(*value) : Json(nullptr); };
+  const auto file = [](const std::string & name) { return name.empty() ? Json(nullptr) : Json(name); };
+  Json       section;
+  section["exterior"] = settings.exterior;
+  section["min_island_voxels"] = settings.minIsland;
+  section["surface_only"] = settings.surfaceOnly;
+  section["radius_mm"] = length(settings.radius);
+  section["epsilon"] = Number(settings.epsilon);
+  section["tolerance_mm"] = length(settings.tolerance);
+  section["gradient_limit"] = Number(settings.gradientLimit);
+  section["min_size_mm"] = length(settings.minSize);
+  section["max_size_mm"] = length(settings.maxSize);
+  section["sizing_image"] = file(settings.sizingImage);
+  section["threads"] = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  section["seed"] = settings.seed;
+  return section;
+}
+
+Json
+StageSection(const std::vector<mmm::StageRecord> & stages)
+{
+  Json section = Json::array();
+  for (const auto & stage : stages)
+  {
+    section.push_back({ { "name", stage.name },
+                        { "seconds", Number(stage.seconds) },
+                        { "peak_memory_mb", stage.peakMemory > 0.0 ? Number(stage.peakMemory) : Json(nullptr) } });
+  }
+  return section;
+}
+
+Json
+CountSection(const Outcome & outcome)
+{
+  const mmm::MeshingReport & report = outcome.filter->GetReport();
+  Json                       section;
+  section["particles_on_0_cells"] = report.particles[0];
+  section["particles_on_1_cells"] = report.particles[1];
+  section["particles_on_2_cells"] = report.particles[2];
+  section["particles_in_the_interior"] = report.particles[3];
+  section["unused_particles"] = report.unusedParticles;
+  section["steiner_points"] = report.steinerPoints;
+  section["inconsistent_triangles"] = report.inconsistentTriangles;
+  section["surface_points"] = outcome.surface->GetNumberOfPoints();
+  section["triangles"] = outcome.surface->GetNumberOfCells();
+  section["points"] = outcome.tetrahedra->GetNumberOfPoints();
+  section["tetrahedra"] = outcome.tetrahedra->GetNumberOfCells();
+  return section;
+}
+
+Json
+RelaxationSection(const mmm::MeshingReport & report)
+{
+  Json section = Json::array();
+  for (std::size_t dimension = 1; dimension < report.relaxation.size(); ++dimension)
+  {
+    const mmm::RelaxationReport & relaxation = report.relaxation[dimension];
+    section.push_back({ { "cell_dimension", dimension },
+                        { "sweeps", relaxation.sweeps },
+                        { "mean_move", Number(relaxation.meanMove) },
+                        { "added", relaxation.added },
+                        { "removed", relaxation.removed } });
+  }
+  return section;
+}
+
+Json
+IslandSection(const MeshFilter & filter)
+{
+  Json section = Json::array();
+  for (const auto & [label, record] : filter.GetIslandRecords())
+  {
+    if (record.components > 0)
+    {
+      section.push_back({ { "label", label },
+                          { "islands", record.components },
+                          { "voxels", record.voxels },
+                          { "voxels_before", record.voxelsBefore },
+                          { "voxels_after", record.voxelsAfter },
+                          { "went_to", PerLabel(record.destinations, "voxels") } });
+    }
+  }
+  return section;
+}
+
+Json
+ToJson(const mmm::Distribution & distribution)
+{
+  return { { "average", Number(distribution.average) },
+           { "minimum", Number(distribution.minimum) },
+           { "first_percentile", Number(distribution.firstPercentile) } };
+}
+
+Json
+ToJson(const mmm::TetrahedronStatistics & statistics)
+{
+  Json section;
+  section["tetrahedra"] = statistics.count;
+  section["volume_mm3"] = Number(statistics.volume);
+  section["non_positive"] = statistics.nonPositive;
+  section["radius_ratio"] = ToJson(statistics.radiusRatio);
+  section["smallest_dihedral_angle_deg"] = ToJson(statistics.smallestAngle);
+  section["largest_dihedral_angle_deg"] = Number(statistics.largestAngle);
+  section["below_5_10_15_deg"] = statistics.below;
+  section["above_165_170_175_deg"] = statistics.above;
+  section["radius_ratio_histogram"] = statistics.radiusRatioHistogram;
+  section["dihedral_angle_histogram"] = statistics.dihedralAngleHistogram;
+  return section;
+}
+
+Json
+ToJson(const mmm::PoorTetrahedron & tetrahedron)
+{
+  return { { "index", tetrahedron.index },
+           { "label", tetrahedron.label },
+           { "neighbor_labels", tetrahedron.neighborLabels },
+           { "boundary_faces", tetrahedron.boundaryFaces },
+           { "center_mm", Triple(tetrahedron.center) },
+           { "smallest_dihedral_angle_deg", Number(tetrahedron.smallestAngle) },
+           { "largest_dihedral_angle_deg", Number(tetrahedron.largestAngle) } };
+}
+
+Json
+QualitySection(const Outcome & outcome)
+{
+  const mmm::MeshQualityReport & quality = outcome.quality;
+  Json                           section;
+  section["triangle_radius_ratio"] = { { "average", Number(outcome.surfaceQuality.average) },
+                                       { "minimum", Number(outcome.surfaceQuality.minimum) } };
+  if (outcome.settings.surfaceOnly)
+  {
+    return section;
+  }
+  section["overall"] = ToJson(quality.tetrahedra);
+  section["unused_points"] = quality.unusedPoints;
+  section["duplicate_points"] = quality.duplicatePoints;
+  section["overused_faces"] = quality.overusedFaces;
+  section["open_edges"] = quality.openEdges;
+  section["non_manifold_edges"] = quality.nonManifoldEdges;
+  section["labels"] = Json::array();
+  for (const auto & label : quality.labels)
+  {
+    Json entry{ { "label", label.label } };
+    entry.update(ToJson(label.tetrahedra));
+    entry["components"] = label.components;
+    entry["boundary_faces"] = label.boundaryFaces;
+    section["labels"].push_back(entry);
+  }
+  section["poor_tetrahedra"] = quality.poorTetrahedra;
+  section["worst_tetrahedra"] = Json::array();
+  for (const auto & tetrahedron : quality.poorest)
+  {
+    section["worst_tetrahedra"].push_back(ToJson(tetrahedron));
+  }
+  return section;
+}
+} // namespace
+
+std::string
+MakeReport(const Outcome & outcome)
+{
+  const MeshFilter & filter = *outcome.filter;
+  Json               report;
+  report["program"] = "multimaterial-mesh";
+  report["version"] = GetVersion();
+  report["input"] = InputSection(outcome);
+  report["output"] = outcome.settings.output;
+  report["parameters"] = ParameterSection(outcome.settings);
+  report["exterior_labels_absent"] = filter.GetAbsentExteriorLabels();
+  report["outside_label"] = filter.GetOutsideLabel();
+  report["islands_merged"] = IslandSection(filter);
+  report["vanished_labels"] = PerLabel(filter.GetVanishedLabels(), "voxels");
+  report["counts"] = CountSection(outcome);
+  report["relaxation"] = RelaxationSection(filter.GetReport());
+  report["quality"] = QualitySection(outcome);
+  report["stages"] = StageSection(outcome.stages);
+  // File names need not be UTF-8, JSON has to be.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+} // namespace cli

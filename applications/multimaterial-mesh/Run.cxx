@@ -1,0 +1,196 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "Run.h"
+
+#include "Errors.h"
+#include "ImageOutput.h"
+#include "MeshOutput.h"
+#include "Outcome.h"
+#include "OutputFile.h"
+#include "Report.h"
+#include "StageClock.h"
+#include "Summary.h"
+#include "itkTetrahedralMeshQualityCalculator.h"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+namespace cli
+{
+namespace
+{
+std::string
+IndicatorName(const Settings & settings, int label)
+{
+  return settings.indicatorPrefix + std::to_string(label) + ".nrrd";
+}
+
+/** Hours of work shall not be lost to a misspelled folder. */
+void
+CheckOutputs(const Settings & settings)
+{
+  using Name = std::pair<std::string, std::string>;
+  std::vector<Name> outputs{ { "OUTPUT", settings.output },
+                             { "--surface", settings.surface },
+                             { "--particles", settings.particles },
+                             { "--report", settings.report },
+                             { "--save-sizing", settings.sizingFile } };
+  if (!settings.indicatorPrefix.empty())
+  {
+    outputs.emplace_back("--save-indicators", IndicatorName(settings, 0));
+  }
+  if (!settings.sizingFile.empty())
+  {
+    CheckImageName("--save-sizing", settings.sizingFile);
+  }
+  std::vector<Name> others{ { "LABELS", settings.labels }, { "--sizing-image", settings.sizingImage } };
+  for (const Name & output : outputs)
+  {
+    if (output.second.empty())
+    {
+      continue;
+    }
+    for (const Name & other : others)
+    {
+      if (!other.second.empty() && IsSameFile(output.second, other.second))
+      {
+        throw UsageError(other.first + " and " + output.first + " are the same file, " + output.second);
+      }
+    }
+    CheckWritable(output.second);
+    others.push_back(output);
+  }
+}
+
+/** Fills in the lengths that follow from the image, so that they can be reported. */
+void
+ResolveLengths(Settings & settings, const LabelImage & labels)
+{
+  const auto & spacing = labels.GetSpacing();
+  const double smallest = std::min({ spacing[0], spacing[1], spacing[2] });
+  settings.radius = settings.radius.value_or(0.5 * smallest);
+  settings.tolerance = settings.tolerance.value_or(0.1 * smallest);
+  settings.minSize = settings.minSize.value_or(std::min(smallest, settings.maxSize.value_or(smallest)));
+}
+
+void
+TakeMeshes(Outcome & outcome)
+{
+  outcome.tetrahedra = outcome.filter->GetOutput();
+  outcome.surface = outcome.filter->GetSurface();
+  outcome.particles = outcome.filter->GetParticles();
+  // Writers would ask the filter to run again.
+  outcome.tetrahedra->DisconnectPipeline();
+  outcome.surface->DisconnectPipeline();
+  outcome.particles->DisconnectPipeline();
+}
+
+void
+MeasureQuality(Outcome & outcome)
+{
+  outcome.surfaceQuality = ComputeSurfaceQuality(*outcome.surface);
+  if (!outcome.settings.surfaceOnly)
+  {
+    const auto calculator = itk::TetrahedralMeshQualityCalculator<itk::LabelTetrahedralMesh>::New();
+    calculator->SetMesh(outcome.tetrahedra);
+    calculator->Compute();
+    outcome.quality = calculator->GetReport();
+  }
+}
+
+void
+WriteMeshes(const Outcome & outcome)
+{
+  const Settings & settings = outcome.settings;
+  if (settings.surfaceOnly)
+  {
+    WriteMesh(outcome.surface, settings.output);
+  }
+  else
+  {
+    WriteMesh(outcome.tetrahedra, settings.output);
+  }
+  if (!settings.surface.empty())
+  {
+    WriteMesh(outcome.surface, settings.surface);
+  }
+  if (!settings.particles.empty())
+  {
+    WriteMesh(outcome.particles, settings.particles);
+  }
+}
+
+void
+WriteImages(const Outcome & outcome)
+{
+  const Settings & settings = outcome.settings;
+  if (!settings.sizingFile.empty())
+  {
+    WriteImage(outcome.filter->GetComputedSizingImage(), settings.sizingFile);
+  }
+  if (!settings.indicatorPrefix.empty())
+  {
+    for (const int label : outcome.filter->GetLabels())
+    {
+      WriteImage(outcome.filter->GetIndicatorImage(label), IndicatorName(settings, label));
+    }
+  }
+}
+} // namespace
+
+void
+Run(Settings settings)
+{
+  CheckOutputs(settings);
+  if (settings.threads)
+  {
+    itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(itk::ThreadIdType(*settings.threads));
+  }
+
+  ProgressDisplay display(settings.quiet);
+  StageClock      clock(display);
+  Outcome         outcome;
+  clock.Run("reading", [&] {
+    outcome.labels = ReadLabelImage(settings.labels);
+    outcome.voxels = CheckLabels(settings.labels, *outcome.labels);
+    WarnOfAbsentExterior(settings, outcome.voxels);
+    ResolveLengths(settings, *outcome.labels);
+    outcome.settings = settings;
+    outcome.filter = MakeMeshFilter(settings, outcome.labels);
+  });
+  RunMeshFilter(*outcome.filter, settings, display);
+  clock.Append(outcome.filter->GetStageRecords());
+  TakeMeshes(outcome);
+  clock.Run("quality", [&] { MeasureQuality(outcome); });
+  clock.Run("writing", [&] {
+    WriteMeshes(outcome);
+    WriteImages(outcome);
+  });
+  outcome.stages = clock.GetRecords();
+  if (!settings.report.empty())
+  {
+    WriteTextFile(settings.report, MakeReport(outcome));
+  }
+  WarnOfVanishedLabels(*outcome.filter);
+  if (!settings.quiet)
+  {
+    PrintSummary(std::cout, outcome);
+  }
+}
+} // namespace cli

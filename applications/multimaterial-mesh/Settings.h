@@ -1,0 +1,62 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef Settings_h
+#define Settings_h
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+/** \brief What the command line says. OptionTable() describes each member to the user.
+ *
+ * Lengths are in mm. Those without a value follow from the image's smallest spacing. */
+struct Settings
+{
+  std::string labels;
+  std::string output;
+
+  std::vector<int> exterior{ 0 };
+  bool             exteriorIsListed{ false };
+  std::uint64_t    minIsland{ 8 };
+
+  std::string surface;
+  std::string particles;
+  bool        surfaceOnly{ false };
+  std::string report;
+
+  std::optional<double> radius;
+  std::string           indicatorPrefix;
+
+  double                epsilon{ 2.5 };
+  std::optional<double> tolerance;
+  double                gradientLimit{ 0.5 };
+  std::optional<double> minSize;
+  std::optional<double> maxSize;
+  std::string           sizingImage;
+  std::string           sizingFile;
+
+  std::optional<std::uint64_t> threads;
+  std::uint64_t                seed{ 1 };
+  bool                         quiet{ false };
+};
+} // namespace cli
+
+#endif

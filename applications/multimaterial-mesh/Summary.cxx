@@ -1,0 +1,103 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "Summary.h"
+
+#include "Warnings.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace cli
+{
+namespace
+{
+std::size_t
+CountMeshedLabels(const Outcome & outcome)
+{
+  const auto & exterior = outcome.settings.exterior;
+  const auto   isMeshed = [&](const auto & entry) {
+    return std::find(exterior.begin(), exterior.end(), entry.first) == exterior.end();
+  };
+  return std::count_if(outcome.voxels.begin(), outcome.voxels.end(), isMeshed) -
+         outcome.filter->GetVanishedLabels().size();
+}
+} // namespace
+
+void
+PrintSummary(std::ostream & os, const Outcome & outcome)
+{
+  const bool  surfaceOnly = outcome.settings.surfaceOnly;
+  std::size_t islands = 0;
+  std::size_t voxels = 0;
+  for (const auto & entry : outcome.filter->GetIslandRecords())
+  {
+    islands += entry.second.components;
+    voxels += entry.second.voxels;
+  }
+
+  os << std::fixed << std::setprecision(3);
+  os << "labels: " << CountMeshedLabels(outcome) << " meshed; islands merged: " << islands << " (" << voxels
+     << " voxels)\n";
+  os << "surface: " << outcome.surface->GetNumberOfPoints() << " points, " << outcome.surface->GetNumberOfCells()
+     << " triangles, radius ratio " << outcome.surfaceQuality.average << " on average, "
+     << outcome.surfaceQuality.minimum << " at worst\n";
+  if (!surfaceOnly)
+  {
+    const auto & quality = outcome.quality.tetrahedra;
+    os << "mesh: " << outcome.tetrahedra->GetNumberOfPoints() << " points, " << outcome.tetrahedra->GetNumberOfCells()
+       << " tetrahedra, radius ratio " << quality.radiusRatio.average << " on average, " << quality.radiusRatio.minimum
+       << " at worst\n";
+    os << std::setprecision(1) << "dihedral angles: " << quality.smallestAngle.minimum << " to " << quality.largestAngle
+       << " degrees\n";
+  }
+  os << "written: " << outcome.settings.output << '\n';
+}
+
+void
+WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
+{
+  for (const int label : settings.exterior)
+  {
+    if (voxels.count(label) == 0)
+    {
+      std::ostringstream text;
+      text << "no voxel has the exterior label " << label;
+      // Whoever does not say what is exterior may not know that nothing is.
+      if (!settings.exteriorIsListed)
+      {
+        text << ", so everything is meshed; choose by --exterior";
+      }
+      Warn(text.str());
+    }
+  }
+}
+
+void
+WarnOfVanishedLabels(const MeshFilter & filter)
+{
+  for (const auto & [label, voxels] : filter.GetVanishedLabels())
+  {
+    std::ostringstream text;
+    text << "label " << label << " (" << voxels
+         << " voxels) is too thin and not in the mesh; a smaller --radius may help";
+    Warn(text.str());
+  }
+}
+} // namespace cli

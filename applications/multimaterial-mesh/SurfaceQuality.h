@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef SurfaceQuality_h
+#define SurfaceQuality_h
+
+#include "itkMultiMaterialMeshTypes.h"
+
+namespace cli
+{
+/** Of the radius ratios of the triangles; 0 without triangles. */
+struct SurfaceQuality
+{
+  double average{ 0.0 };
+  double minimum{ 0.0 };
+};
+
+SurfaceQuality
+ComputeSurfaceQuality(const itk::LabelInterfaceMesh & surface);
+} // namespace cli
+
+#endif

@@ -1,0 +1,71 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "Warnings.h"
+
+#include "Errors.h"
+#include "mmmITKCompatibility.h"
+
+#include "itkOutputWindow.h"
+
+#include <iostream>
+#include <set>
+
+namespace cli
+{
+namespace
+{
+class WarningWindow : public itk::OutputWindow
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(WarningWindow);
+
+  using Self = WarningWindow;
+  using Superclass = itk::OutputWindow;
+  using Pointer = itk::SmartPointer<Self>;
+
+  itkFactorylessNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(WarningWindow);
+
+  void
+  DisplayText(const char * text) override
+  {
+    Warn(ToOneLine(text));
+  }
+
+protected:
+  WarningWindow() = default;
+  ~WarningWindow() override = default;
+};
+} // namespace
+
+void
+Warn(const std::string & text)
+{
+  static std::set<std::string> told;
+  if (told.insert(text).second)
+  {
+    std::cerr << "multimaterial-mesh: warning: " << text << std::endl;
+  }
+}
+
+void
+CatchITKWarnings()
+{
+  itk::OutputWindow::SetInstance(WarningWindow::New());
+}
+} // namespace cli

@@ -1,0 +1,188 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkIndicatorImagesToSizingImageFilter_hxx
+#define itkIndicatorImagesToSizingImageFilter_hxx
+
+#include "mmmFilterMonitor.h"
+#include "mmmIndicatorImages.h"
+#include "mmmSizingImage.h"
+
+#include <algorithm>
+
+namespace itk
+{
+template <typename TIndicatorImage, typename TSizingImage>
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::IndicatorImagesToSizingImageFilter()
+{
+  this->AddOptionalInputName("SizingImage");
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetSizingImage(const TSizingImage * image)
+{
+  this->ProcessObject::SetInput("SizingImage", const_cast<TSizingImage *>(image));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+const TSizingImage *
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetSizingImage() const
+{
+  return dynamic_cast<const TSizingImage *>(this->ProcessObject::GetInput("SizingImage"));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+mmm::SizingOptions
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetOptions() const
+{
+  mmm::SizingOptions options;
+  options.epsilon = m_Epsilon;
+  options.chordTolerance = m_ChordTolerance;
+  options.gradientLimit = m_GradientLimit;
+  options.minimumSize = m_MinimumSize;
+  options.maximumSize = m_MaximumSize;
+  return options;
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+std::vector<const TIndicatorImage *>
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetIndicatorImages() const
+{
+  std::vector<const TIndicatorImage *> images(this->GetNumberOfIndexedInputs());
+  for (std::size_t n = 0; n < images.size(); ++n)
+  {
+    images[n] = this->GetInput(static_cast<unsigned int>(n));
+  }
+  return images;
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyPreconditions() const
+{
+  Superclass::VerifyPreconditions();
+  const auto images = this->GetIndicatorImages();
+  for (std::size_t n = 0; n < images.size(); ++n)
+  {
+    if (images[n] == nullptr)
+    {
+      itkExceptionMacro("Input " << n << " of " << images.size() << " is missing.");
+    }
+  }
+  if (m_ExteriorIndex < -1 || m_ExteriorIndex >= static_cast<int>(images.size()))
+  {
+    itkExceptionMacro("ExteriorIndex is " << m_ExteriorIndex << ", but there are " << images.size()
+                                          << " indicator images.");
+  }
+  if (m_ExteriorIndex == 0 && images.size() == 1)
+  {
+    itkExceptionMacro("There is nothing but exterior.");
+  }
+  const std::string error = mmm::DescribeError(this->GetOptions());
+  if (!error.empty())
+  {
+    itkExceptionMacro(<< error);
+  }
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyInputInformation() const
+{
+  Superclass::VerifyInputInformation();
+  const mmm::IndicatorImages<TIndicatorImage> indicators(this->GetIndicatorImages());
+  const TSizingImage *                        sizes = this->GetSizingImage();
+  if (sizes && sizes->GetLargestPossibleRegion() != indicators.GetRegion())
+  {
+    itkExceptionMacro("The sizing image covers " << sizes->GetLargestPossibleRegion()
+                                                 << " and the indicator images together " << indicators.GetRegion()
+                                                 << ". They must be the same.");
+  }
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateOutputInformation()
+{
+  Superclass::GenerateOutputInformation();
+  this->GetOutput()->SetLargestPossibleRegion(
+    mmm::IndicatorImages<TIndicatorImage>(this->GetIndicatorImages()).GetRegion());
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::EnlargeOutputRequestedRegion(DataObject * output)
+{
+  Superclass::EnlargeOutputRequestedRegion(output);
+  output->SetRequestedRegionToLargestPossibleRegion();
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateInputRequestedRegion()
+{
+  // not that of the superclass: the inputs' regions are not the output's
+  for (const auto & name : this->GetInputNames())
+  {
+    if (auto * input = this->ProcessObject::GetInput(name))
+    {
+      input->SetRequestedRegionToLargestPossibleRegion();
+    }
+  }
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData()
+{
+  this->AllocateOutputs();
+  const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
+  const mmm::GridGeometry &                   geometry = images.GetGeometry();
+
+  mmm::StageLog      log;
+  mmm::FilterMonitor monitor(this, log, { { "sizing", 1.0 } });
+  monitor.BeginStage("sizing");
+  std::vector<float> limits;
+  if (const auto * sizes = this->GetSizingImage())
+  {
+    limits = mmm::ReadSizingImage(sizes, geometry);
+  }
+  const auto sizing = mmm::ComputeSizing(
+    images.MakeIndicatorSet(), m_ExteriorIndex, mmm::ToGridUnit(this->GetOptions(), geometry), limits, monitor);
+
+  using SizeType = typename TSizingImage::PixelType;
+  std::transform(sizing.begin(), sizing.end(), this->GetOutput()->GetBufferPointer(), [&](float size) {
+    return static_cast<SizeType>(size * geometry.GetUnit());
+  });
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Epsilon: " << m_Epsilon << std::endl;
+  os << indent << "ChordTolerance: " << m_ChordTolerance << std::endl;
+  os << indent << "GradientLimit: " << m_GradientLimit << std::endl;
+  os << indent << "MinimumSize: " << m_MinimumSize << std::endl;
+  os << indent << "MaximumSize: " << m_MaximumSize << std::endl;
+  os << indent << "ExteriorIndex: " << m_ExteriorIndex << std::endl;
+}
+} // namespace itk
+
+#endif

@@ -1,0 +1,267 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLabelImageToTetrahedralMeshFilter_h
+#define itkLabelImageToTetrahedralMeshFilter_h
+
+#include "itkMultiMaterialMeshTypes.h"
+#include "mmmIslandRecord.h"
+#include "mmmITKCompatibility.h"
+#include "mmmMesher.h"
+#include "mmmStageRecord.h"
+
+#include "itkImage.h"
+#include "itkImageToMeshFilter.h"
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class LabelImageToTetrahedralMeshFilter
+ * \brief Meshes a label image: labelled conforming tetrahedra and the surfaces between the labels.
+ *
+ * The whole pipeline in one filter: MergeLabelIslandsImageFilter, LabelImageToIndicatorImagesFilter,
+ * IndicatorImagesToSizingImageFilter and IndicatorImagesToMeshFilter. Data that is not needed any more is released on
+ * the way. It implements \cite Meyer2008 "Multimaterial Meshing of MRI Head Data for Bioelectric Field Simulations".
+ *
+ * Input: a three-dimensional image of an integer type with any origin, spacing and direction. Its labels are whole
+ * numbers within the range of `int`, which need not be consecutive. Lengths are in mm, that is in the unit of the
+ * image's spacing.
+ *
+ * Outputs, in ITK's physical space:
+ * - GetOutput(): the tetrahedra; the cell data is the label of the image. Each has a positive volume.
+ * - GetSurface(): the triangles between the labels; the cell data is the two labels, the lower one first. The outside of
+ *   what is meshed counts as a label, see GetOutsideLabel().
+ * - GetParticles(): the points of the surface, with the labels that meet there.
+ *
+ * Where the image's border cuts a label the mesh ends at the face of the image's box, flat and with sharp edges.
+ *
+ * The same labels give the same mesh, transformed, whatever the image's origin, direction and unit of length: everything
+ * is computed in units of the smallest voxel spacing, to which the other spacings and all lengths among the parameters
+ * are related with a resolution of 1e-6. The mesh does not depend on the number of threads either, which
+ * MultiThreaderBase::SetGlobalDefaultNumberOfThreads() sets.
+ *
+ * Update() throws an ExceptionObject if the image has one value only or nothing but exterior, if a parameter is out of
+ * its range or contradicts another, if the sizing image is not positive or not on the grid of the label image, and with
+ * TetGen's own words if TetGen fails; GetSurface() and GetParticles() then hold what was to be filled. It throws
+ * ProcessAborted if the filter is told to abort, which it notices within about a second.
+ *
+ * Observers of ProgressEvent may ask GetCurrentStage() and GetStageProgress(), besides GetProgress().
+ *
+ * \tparam TLabelImage a three-dimensional image of integers
+ * \tparam TOutputMesh a mesh of three-dimensional points whose cell data is a number
+ *
+ * \ingroup MultiMaterialMeshing
+ */
+template <typename TLabelImage, typename TOutputMesh = LabelTetrahedralMesh>
+class ITK_TEMPLATE_EXPORT LabelImageToTetrahedralMeshFilter : public ImageToMeshFilter<TLabelImage, TOutputMesh>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LabelImageToTetrahedralMeshFilter);
+
+  using Self = LabelImageToTetrahedralMeshFilter;
+  using Superclass = ImageToMeshFilter<TLabelImage, TOutputMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using LabelImageType = TLabelImage;
+  using OutputMeshType = TOutputMesh;
+  using SurfaceMeshType = LabelInterfaceMesh;
+  using ParticleMeshType = LabelParticleMesh;
+  using IndicatorImageType = Image<float, 3>;
+  using SizingImageType = Image<float, 3>;
+
+  using LabelType = int;
+  using LabelsType = std::vector<LabelType>;
+  using VoxelCountsType = std::map<LabelType, std::size_t>;
+  using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
+  using StageRecordsType = std::vector<mmm::StageRecord>;
+
+  static_assert(TLabelImage::ImageDimension == 3, "Only images of three dimensions can be meshed.");
+  static_assert(TOutputMesh::PointDimension == 3, "Tetrahedra need points of three dimensions.");
+
+  /** The value of a length that is to follow the image's smallest voxel spacing. It is not a number: test with
+   * std::isnan(). */
+  static constexpr double Automatic = std::numeric_limits<double>::quiet_NaN();
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(LabelImageToTetrahedralMeshFilter);
+
+  /** Labels that are not meshed. They are one material, which takes the first of them that the image has. May be empty:
+   * everything is meshed. Those that the image lacks are in GetAbsentExteriorLabels(). Default: {0}. */
+  virtual void
+  SetExteriorLabels(const LabelsType & labels);
+  itkGetConstReferenceMacro(ExteriorLabels, LabelsType);
+
+  /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A label's
+   * largest component always stays. 0 and 1 keep all. Default: 8. */
+  itkSetMacro(MinimumIslandSize, SizeValueType);
+  itkGetConstMacro(MinimumIslandSize, SizeValueType);
+
+  /** The radius of tightening, which rounds what is smaller, in mm, at least 0; 0 keeps the voxels' steps. Default:
+   * Automatic, 0.5 of the smallest voxel spacing. */
+  itkSetMacro(Radius, double);
+  itkGetConstMacro(Radius, double);
+
+  /** The edge length at the interfaces per local feature size, positive. Default: 2.5; 1.0 for a high resolution. */
+  itkSetMacro(Epsilon, double);
+  itkGetConstMacro(Epsilon, double);
+
+  /** The largest distance of a curved interface to the edges that stand for it, in mm, positive. Default: Automatic, 0.1
+   * of the smallest voxel spacing. */
+  itkSetMacro(ChordTolerance, double);
+  itkGetConstMacro(ChordTolerance, double);
+
+  /** How fast the edge length may grow with distance, without unit, positive. Default: 0.5. */
+  itkSetMacro(GradientLimit, double);
+  itkGetConstMacro(GradientLimit, double);
+
+  /** The smallest edge length to ask for, in mm, positive. Default: Automatic, the smallest voxel spacing. */
+  itkSetMacro(MinimumSize, double);
+  itkGetConstMacro(MinimumSize, double);
+
+  /** The largest edge length to ask for, in mm, positive and not below MinimumSize. Default: infinity. */
+  itkSetMacro(MaximumSize, double);
+  itkGetConstMacro(MaximumSize, double);
+
+  /** The particles' order of insertion. Another seed gives another mesh of the same kind. Default: 1. */
+  itkSetMacro(Seed, std::uint64_t);
+  itkGetConstMacro(Seed, std::uint64_t);
+
+  /** Stop after the surface: GetOutput() remains empty. Default: false. */
+  itkSetMacro(SurfaceOnly, bool);
+  itkGetConstMacro(SurfaceOnly, bool);
+  itkBooleanMacro(SurfaceOnly);
+
+  /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
+  itkSetMacro(KeepIntermediates, bool);
+  itkGetConstMacro(KeepIntermediates, bool);
+  itkBooleanMacro(KeepIntermediates);
+
+  /** An optional image of edge lengths in mm that the mesh is not to exceed, on the grid of the label image. All values
+   * are positive. */
+  void
+  SetSizingImage(const SizingImageType * image);
+  const SizingImageType *
+  GetSizingImage() const;
+
+  SurfaceMeshType *
+  GetSurface();
+  ParticleMeshType *
+  GetParticles();
+
+  /** What follows is known after Update(); after an exception, as far as the work had come. */
+
+  /** The labels of the image that was meshed, sorted: exterior ones merged, the exterior one included. */
+  itkGetConstReferenceMacro(Labels, LabelsType);
+
+  /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first of
+   * ExteriorLabels, or 0 if there is none or that is a label of the image, or if 0 is one, the smallest label minus 1. */
+  itkGetConstMacro(OutsideLabel, LabelType);
+
+  /** Listed exterior labels that the image lacks, in the order of the list. */
+  itkGetConstReferenceMacro(AbsentExteriorLabels, LabelsType);
+
+  /** What was merged, for every label of the image. */
+  itkGetConstReferenceMacro(IslandRecords, IslandRecordsType);
+
+  /** Labels that were to be meshed but have no tetrahedron (no triangle if SurfaceOnly), and their numbers of voxels. */
+  itkGetConstReferenceMacro(VanishedLabels, VoxelCountsType);
+
+  /** Counts of the particles and how their relaxation went. */
+  itkGetConstReferenceMacro(Report, mmm::MeshingReport);
+
+  /** The stages that ended, in their order. */
+  itkGetConstReferenceMacro(StageRecords, StageRecordsType);
+
+  /** The stage that is running or ran last, for instance "sizing". */
+  itkGetConstReferenceMacro(CurrentStage, std::string);
+
+  /** How much of that stage is done, in [0, 1]. */
+  itkGetConstMacro(StageProgress, float);
+
+  /** With KeepIntermediates: the signed distance of a label's smoothed boundary, in mm, positive inside, on the label's
+   * bounding box and a band around it. Throws an ExceptionObject if there is none for the label. */
+  const IndicatorImageType *
+  GetIndicatorImage(LabelType label) const;
+
+  /** With KeepIntermediates: the edge length that was asked for, in mm; else a null pointer. */
+  const SizingImageType *
+  GetComputedSizingImage() const;
+
+  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(). */
+  using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
+  using Superclass::MakeOutput;
+  DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  LabelImageToTetrahedralMeshFilter();
+  ~LabelImageToTetrahedralMeshFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() const override;
+
+  void
+  VerifyInputInformation() const override;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  GenerateData() override;
+
+private:
+  LabelsType    m_ExteriorLabels{ 0 };
+  SizeValueType m_MinimumIslandSize{ 8 };
+  double        m_Radius{ Automatic };
+  double        m_Epsilon{ 2.5 };
+  double        m_ChordTolerance{ Automatic };
+  double        m_GradientLimit{ 0.5 };
+  double        m_MinimumSize{ Automatic };
+  double        m_MaximumSize{ std::numeric_limits<double>::infinity() };
+  std::uint64_t m_Seed{ 1 };
+  bool          m_SurfaceOnly{ false };
+  bool          m_KeepIntermediates{ false };
+
+  LabelsType         m_Labels;
+  LabelType          m_OutsideLabel{ 0 };
+  LabelsType         m_AbsentExteriorLabels;
+  IslandRecordsType  m_IslandRecords;
+  VoxelCountsType    m_VanishedLabels;
+  mmm::MeshingReport m_Report;
+  StageRecordsType   m_StageRecords;
+  std::string        m_CurrentStage;
+  float              m_StageProgress{ 0.0f };
+
+  std::vector<IndicatorImageType::Pointer> m_IndicatorImages;
+  SizingImageType::Pointer                 m_ComputedSizingImage;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkLabelImageToTetrahedralMeshFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,69 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmMeshOptimizer_h
+#define mmmMeshOptimizer_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmIndicatorSet.h"
+#include "mmmMonitor.h"
+#include "mmmTetrahedralMesh.h"
+
+namespace mmm
+{
+struct OptimizationParameters
+{
+  /** Tetrahedra with a dihedral angle below this are worked on, in degrees; and those with one so far above that it
+   * matters as much: quality falls off alike at both ends. */
+  double angle{ 18.0 };
+  /** Rounds of flips, collapses and smoothing, worst first; fewer if nothing is gained any more. */
+  int rounds{ 6 };
+  /** Sweeps of smoothing over all points, before the rounds. */
+  int sweeps{ 3 };
+  /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */
+  double interfaceTolerance{ 0.25 };
+};
+
+struct OptimizationReport
+{
+  std::size_t flips{ 0 };
+  std::size_t interfaceFlips{ 0 };
+  std::size_t relabelled{ 0 };
+  std::size_t collapses{ 0 };
+  std::size_t moves{ 0 };
+  int         rounds{ 0 };
+};
+
+/** \brief Improves the worst tetrahedra first: no step lowers the local worst quality.
+ *
+ * The quality of a tetrahedron is that of its extreme dihedral angles. Points of the interior move freely; points of an
+ * interface slide on their own cell by its projection. Edges are removed, on interfaces too (the surface's edge is
+ * flipped) where the new one stays near the zero set; faces are flipped, edges collapsed, and a flat tetrahedron on an
+ * interface goes to the other side. No step changes the topology of an interface.
+ *
+ * `cells` gives, for the first points of `points`, the cell that each lies on; all others are free. */
+MultiMaterialMeshing_EXPORT OptimizationReport
+OptimizeMesh(const IndicatorSet &           indicators,
+             Material                       exterior,
+             const std::vector<Cell> &      cells,
+             const OptimizationParameters & parameters,
+             std::vector<Vector> &          points,
+             TetrahedralMesh &              mesh,
+             Monitor &                      monitor);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmStageRecord_h
+#define mmmStageRecord_h
+
+#include <string>
+
+namespace mmm
+{
+/** What a stage of the work took. */
+struct StageRecord
+{
+  std::string name;
+  double      seconds{ 0.0 };
+  /** The largest memory that the process had occupied by the end of the stage, since it started, in MB (2^20 bytes);
+   * 0 where the system does not tell. */
+  double peakMemory{ 0.0 };
+};
+} // namespace mmm
+
+#endif

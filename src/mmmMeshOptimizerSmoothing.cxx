@@ -1,0 +1,368 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmMeshOptimizerSmoothing.h"
+
+#include "mmmParallel.h"
+#include "mmmTetrahedronNeighbours.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+namespace
+{
+constexpr std::size_t Grain = 512;
+/** A triangle of an interface may become this bad for the sake of a tetrahedron, but not worse. */
+constexpr double TriangleFloor = 0.4;
+constexpr double MaximalityTolerance = 1e-2;
+} // namespace
+
+PointSmoother::PointSmoother(const IndicatorSet &             indicators,
+                             Material                         exterior,
+                             const std::vector<Cell> &        cells,
+                             std::vector<Vector> &            points,
+                             const std::vector<Tetrahedron> & tetrahedra,
+                             const std::vector<Material> &    materials)
+  : m_Indicators(indicators)
+  , m_Cells(cells)
+  , m_Points(points)
+  , m_Tetrahedra(tetrahedra)
+{
+  m_StarStart.assign(points.size() + 1, 0);
+  for (const auto & t : tetrahedra)
+  {
+    for (const auto corner : t)
+    {
+      ++m_StarStart[corner + 1];
+    }
+  }
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    m_StarStart[p + 1] += m_StarStart[p];
+  }
+  m_Star.resize(m_StarStart.back());
+  std::vector<std::uint32_t> next(m_StarStart.begin(), m_StarStart.end() - 1);
+  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+  {
+    for (const auto corner : tetrahedra[t])
+    {
+      m_Star[next[corner]++] = t;
+    }
+  }
+  this->ClassifyPoints(exterior, materials);
+  this->ColourPoints();
+}
+
+void
+PointSmoother::ClassifyPoints(Material exterior, const std::vector<Material> & materials)
+{
+  // the materials that really meet at each point, against those of its cell
+  const auto                                           neighbours = ComputeTetrahedronNeighbours(m_Tetrahedra);
+  std::vector<std::pair<PointId, std::array<PointId, 2>>> fans;
+  std::vector<char>                                    outside(m_Points.size(), 0);
+  for (std::uint32_t t = 0; t < m_Tetrahedra.size(); ++t)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const auto other = neighbours[t][f];
+      if (other != NoTetrahedron && materials[other] <= materials[t])
+      {
+        continue;
+      }
+      PointId corners[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        corners[c] = m_Tetrahedra[t][TetrahedronFaces[f][c]];
+        outside[corners[c]] |= other == NoTetrahedron;
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        fans.push_back({ corners[c], { { corners[(c + 1) % 3], corners[(c + 2) % 3] } } });
+      }
+    }
+  }
+  m_FanStart.assign(m_Points.size() + 1, 0);
+  for (const auto & fan : fans)
+  {
+    ++m_FanStart[fan.first + 1];
+  }
+  for (std::size_t p = 0; p < m_Points.size(); ++p)
+  {
+    m_FanStart[p + 1] += m_FanStart[p];
+  }
+  m_Fan.resize(fans.size());
+  std::vector<std::uint32_t> next(m_FanStart.begin(), m_FanStart.end() - 1);
+  for (const auto & fan : fans)
+  {
+    m_Fan[next[fan.first]++] = fan.second;
+  }
+
+  m_Freedom.assign(m_Points.size(), Freedom::Free);
+  for (std::size_t p = 0; p < m_Points.size(); ++p)
+  {
+    if (m_FanStart[p] == m_FanStart[p + 1])
+    {
+      continue; // on no interface
+    }
+    m_Freedom[p] = Freedom::Fixed;
+    if (p >= m_Cells.size() || m_Cells[p].Dimension() == 0)
+    {
+      continue;
+    }
+    std::vector<Material> present;
+    if (outside[p])
+    {
+      present.push_back(exterior);
+    }
+    for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+    {
+      const Material m = materials[m_Star[s]];
+      if (std::find(present.begin(), present.end(), m) == present.end())
+      {
+        present.push_back(m);
+      }
+    }
+    std::vector<Material> own;
+    for (const Material m : m_Cells[p])
+    {
+      const Material mapped = m_Indicators.IsPlane(m) ? exterior : m;
+      if (std::find(own.begin(), own.end(), mapped) == own.end())
+      {
+        own.push_back(mapped);
+      }
+    }
+    std::sort(present.begin(), present.end());
+    std::sort(own.begin(), own.end());
+    if (present == own)
+    {
+      m_Freedom[p] = Freedom::OnCell;
+    }
+  }
+}
+
+void
+PointSmoother::ColourPoints()
+{
+  std::vector<int>  colour(m_Points.size(), -1);
+  std::vector<char> taken;
+  for (PointId p = 0; p < m_Points.size(); ++p)
+  {
+    if (m_Freedom[p] == Freedom::Fixed || m_StarStart[p] == m_StarStart[p + 1])
+    {
+      continue;
+    }
+    taken.assign(m_Colours.size() + 1, 0);
+    for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+    {
+      for (const auto corner : m_Tetrahedra[m_Star[s]])
+      {
+        if (colour[corner] >= 0)
+        {
+          taken[colour[corner]] = 1;
+        }
+      }
+    }
+    colour[p] = int(std::find(taken.begin(), taken.end(), 0) - taken.begin());
+    if (std::size_t(colour[p]) == m_Colours.size())
+    {
+      m_Colours.emplace_back();
+    }
+    m_Colours[colour[p]].push_back(p);
+  }
+}
+
+template <typename TMove>
+std::size_t
+PointSmoother::MoveByColour(TMove && move)
+{
+  std::size_t total = 0;
+  for (const auto & group : m_Colours)
+  {
+    std::vector<std::size_t> moved((group.size() + Grain - 1) / Grain, 0);
+    ParallelFor(group.size(), Grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        moved[begin / Grain] += move(group[n]);
+      }
+    });
+    for (const auto count : moved)
+    {
+      total += count;
+    }
+  }
+  return total;
+}
+
+std::size_t
+PointSmoother::SmoothAll()
+{
+  return this->MoveByColour([this](PointId p) { return this->MoveToAverage(p); });
+}
+
+std::size_t
+PointSmoother::SmoothWorst(double quality)
+{
+  return this->MoveByColour([this, quality](PointId p) { return this->MoveUphill(p, quality); });
+}
+
+/** The smallest quality around p if it were at x; the search ends early at one that is not better than `enough`. */
+double
+PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
+{
+  double worst = 2.0;
+  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  {
+    const auto &   t = m_Tetrahedra[m_Star[s]];
+    const Vector * corners[4];
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
+    }
+    worst = std::min(worst, DihedralQuality(*corners[0], *corners[1], *corners[2], *corners[3]));
+    if (worst <= enough)
+    {
+      return worst;
+    }
+  }
+  return worst;
+}
+
+double
+PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
+{
+  double worst = 1.0;
+  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
+  {
+    worst = std::min(worst, TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]));
+  }
+  return worst;
+}
+
+/** Moves p to the target, or its projection, if all around gets better than `worst`, which is brought up to date. */
+bool
+PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
+{
+  Vector x = target;
+  if (m_Freedom[p] == Freedom::OnCell)
+  {
+    const Cell & cell = m_Cells[p];
+    if (!m_Indicators.Project(cell, x, 1.0) || !m_Indicators.IsMaximal(cell, x, MaximalityTolerance))
+    {
+      return false;
+    }
+  }
+  const double reached = this->WorstAround(p, x, worst);
+  if (!(reached > worst))
+  {
+    return false;
+  }
+  if (m_Freedom[p] == Freedom::OnCell)
+  {
+    const double triangle = this->WorstTriangleAround(p, x);
+    if (triangle < TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
+    {
+      return false;
+    }
+  }
+  m_Points[p] = x;
+  worst = reached;
+  return true;
+}
+
+/** Every tetrahedron wants p above the centre of its opposite face, as high as in a regular one; the worse it is, the
+ * more it is heard. */
+bool
+PointSmoother::MoveToAverage(PointId p)
+{
+  Vector sum = Vector::Zero();
+  double weights = 0.0;
+  double worst = 2.0;
+  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  {
+    const auto & t = m_Tetrahedra[m_Star[s]];
+    const int    own = int(std::find(t.begin(), t.end(), p) - t.begin());
+    const auto & a = m_Points[t[TetrahedronFaces[own][0]]];
+    const auto & b = m_Points[t[TetrahedronFaces[own][1]]];
+    const auto & c = m_Points[t[TetrahedronFaces[own][2]]];
+    const Vector normal = (b - a).cross(c - a); // away from p
+    const double area = normal.norm();
+    if (!(area > 0.0))
+    {
+      continue;
+    }
+    const double quality = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
+    const double height = 0.8165 * std::sqrt(area / 0.8660254); // of a regular tetrahedron on a base of this area
+    const double weight = 1.0 / (0.05 + std::max(0.0, quality));
+    sum += weight * ((a + b + c) / 3.0 - height / area * normal);
+    weights += weight;
+    worst = std::min(worst, quality);
+  }
+  if (!(weights > 0.0))
+  {
+    return false;
+  }
+  const Vector target = sum / weights;
+  // far from the worst there is room: a little may be given up for the average
+  const double floor = QualityOfAngle(30.0);
+  double       least = worst > floor ? floor : worst;
+  return this->TryMove(p, target, least) || this->TryMove(p, 0.5 * (target + m_Points[p]), least);
+}
+
+/** Pattern search for the place where the worst tetrahedron is best. */
+bool
+PointSmoother::MoveUphill(PointId p, double quality)
+{
+  double worst = this->WorstAround(p, m_Points[p], -2.0);
+  if (worst >= quality)
+  {
+    return false;
+  }
+  double size = 0.0;
+  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  {
+    for (const auto corner : m_Tetrahedra[m_Star[s]])
+    {
+      size = std::max(size, (m_Points[corner] - m_Points[p]).norm());
+    }
+  }
+  bool moved = this->MoveToAverage(p);
+  worst = this->WorstAround(p, m_Points[p], -2.0);
+  for (double step = 0.25 * size; step > 0.01 * size; step *= 0.5)
+  {
+    bool better = true;
+    for (int tries = 0; tries < 4 && better; ++tries)
+    {
+      better = false;
+      for (int d = 0; d < 14 && !better; ++d)
+      {
+        // the axes, then the diagonals
+        Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
+        if (d >= 6)
+        {
+          const int bits = d - 6;
+          direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
+        }
+        better = this->TryMove(p, m_Points[p] + step * direction, worst);
+      }
+      moved = moved || better;
+    }
+  }
+  return moved;
+}
+} // namespace mmm

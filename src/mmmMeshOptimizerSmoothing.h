@@ -1,0 +1,110 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmMeshOptimizerSmoothing_h
+#define mmmMeshOptimizerSmoothing_h
+
+#include "mmmIndicatorSet.h"
+#include "mmmTetrahedralMesh.h"
+
+#include <cstdint>
+
+namespace mmm
+{
+/** 1 for a regular tetrahedron, 0 for a flat one, negative for an inverted one; it falls off alike for small and large
+ * dihedral angles. */
+inline double
+DihedralQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  const DihedralCosines cosines = ComputeDihedralCosines(a, b, c, d);
+  if (!(cosines.sixVolume > 0.0))
+  {
+    return -1.0;
+  }
+  return std::min((1.0 - cosines.largest) * 1.5, (1.0 + cosines.smallest) * 0.75);
+}
+
+/** The quality of a tetrahedron whose smallest dihedral angle is this, in degrees. */
+inline double
+QualityOfAngle(double degrees)
+{
+  return (1.0 - std::cos(degrees * EIGEN_PI / 180.0)) * 1.5;
+}
+
+/** \brief Moves points, one at a time, so that the worst tetrahedron around each gets better.
+ *
+ * Works on a fixed connectivity. Points that share no tetrahedron are moved side by side. */
+class PointSmoother
+{
+public:
+  /** A point moves freely in space, within its cell, or not at all. */
+  enum class Freedom : std::uint8_t
+  {
+    Fixed,
+    OnCell,
+    Free
+  };
+
+  PointSmoother(const IndicatorSet &             indicators,
+                Material                         exterior,
+                const std::vector<Cell> &        cells,
+                std::vector<Vector> &            points,
+                const std::vector<Tetrahedron> & tetrahedra,
+                const std::vector<Material> &    materials);
+
+  /** Moves all points towards where their tetrahedra want them on average. Returns the number of moves. */
+  std::size_t
+  SmoothAll();
+  /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. */
+  std::size_t
+  SmoothWorst(double quality);
+
+private:
+  struct Around;
+
+  void
+  ClassifyPoints(Material exterior, const std::vector<Material> & materials);
+  void
+  ColourPoints();
+  template <typename TMove>
+  std::size_t
+  MoveByColour(TMove && move);
+  bool
+  MoveToAverage(PointId p);
+  bool
+  MoveUphill(PointId p, double quality);
+  double
+  WorstAround(PointId p, const Vector & x, double enough) const;
+  bool
+  TryMove(PointId p, const Vector & target, double & worst);
+  double
+  WorstTriangleAround(PointId p, const Vector & x) const;
+
+  const IndicatorSet &             m_Indicators;
+  const std::vector<Cell> &        m_Cells;
+  std::vector<Vector> &            m_Points;
+  const std::vector<Tetrahedron> & m_Tetrahedra;
+  std::vector<Freedom>             m_Freedom;
+  std::vector<std::uint32_t>       m_StarStart;
+  std::vector<std::uint32_t>       m_Star;
+  std::vector<std::uint32_t>       m_FanStart;
+  std::vector<std::array<PointId, 2>> m_Fan;
+  std::vector<std::vector<PointId>> m_Colours;
+};
+} // namespace mmm
+
+#endif

@@ -1,0 +1,82 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmSizingOptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace mmm
+{
+std::string
+DescribeError(const SizingOptions & options)
+{
+  const struct
+  {
+    const char * name;
+    double       value;
+    const char * unit;
+    bool         mayBeAutomatic;
+    bool         mayBeInfinite;
+  } checks[] = { { "epsilon", options.epsilon, "", false, false },
+                 { "chord tolerance", options.chordTolerance, " mm", true, false },
+                 { "gradient limit", options.gradientLimit, "", false, false },
+                 { "smallest size", options.minimumSize, " mm", true, false },
+                 { "largest size", options.maximumSize, " mm", false, true } };
+
+  std::ostringstream words;
+  for (const auto & check : checks)
+  {
+    if (check.mayBeAutomatic && std::isnan(check.value))
+    {
+      continue;
+    }
+    if (!(check.value > 0.0) || (std::isinf(check.value) && !check.mayBeInfinite))
+    {
+      words << "The " << check.name << " is " << check.value << check.unit << ". It must be positive"
+            << (check.mayBeInfinite ? "." : " and finite.");
+      return words.str();
+    }
+  }
+  if (options.minimumSize > options.maximumSize)
+  {
+    words << "The smallest size, " << options.minimumSize << " mm, is above the largest, " << options.maximumSize
+          << " mm.";
+  }
+  return words.str();
+}
+
+SizingParameters
+ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
+{
+  SizingParameters parameters;
+  parameters.epsilon = options.epsilon;
+  parameters.gradientLimit = options.gradientLimit;
+  if (!std::isnan(options.chordTolerance))
+  {
+    parameters.chordTolerance = geometry.ToGridUnit(options.chordTolerance);
+  }
+  if (std::isfinite(options.maximumSize))
+  {
+    parameters.maximumSize = geometry.ToGridUnit(options.maximumSize);
+  }
+  parameters.minimumSize = std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize)
+                                                           : geometry.ToGridUnit(options.minimumSize);
+  return parameters;
+}
+} // namespace mmm
