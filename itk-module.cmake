@@ -1,8 +1,8 @@
 set(
   DOCUMENTATION
   "Conforming surface and tetrahedral meshes of multi-material label images, such as segmented MRI heads, for
-bioelectric field simulation. Labels become smooth indicator functions and a sizing field; particles sample the
-interfaces; a labelled Delaunay tetrahedralization of them is the surface; TetGen and an optimizer fill it.
+bioelectric field simulation. Labels become smooth indicator functions and a sizing field. Particles sample the
+interfaces, a labelled Delaunay tetrahedralization of them is the surface, and TetGen and an optimizer fill it.
 Method: \"Multimaterial Meshing of MRI Head Data for Bioelectric Field Simulations\"."
 )
 

@@ -122,7 +122,7 @@ template <typename TLabelImage, typename TIndicatorImage>
 void
 LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateOutputRequestedRegion(DataObject *)
 {
-  for (DataObjectPointerArraySizeType n = 0; n < this->GetNumberOfIndexedOutputs(); ++n)
+  for (std::size_t n = 0; n < this->GetNumberOfIndexedOutputs(); ++n)
   {
     this->ProcessObject::GetOutput(n)->SetRequestedRegionToLargestPossibleRegion();
   }

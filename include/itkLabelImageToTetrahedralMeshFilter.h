@@ -18,12 +18,16 @@
 #ifndef itkLabelImageToTetrahedralMeshFilter_h
 #define itkLabelImageToTetrahedralMeshFilter_h
 
+#include "itkIndicatorImagesToMeshFilter.h"
 #include "itkMultiMaterialMeshTypes.h"
+#include "mmmFilterMonitor.h"
 #include "mmmIslandRecord.h"
 #include "mmmITKCompatibility.h"
+#include "mmmLabels.h"
 #include "mmmMesher.h"
-#include "mmmStageRecord.h"
+#include "mmmSizingOptions.h"
 
+#include "itkConceptChecking.h"
 #include "itkImage.h"
 #include "itkImageToMeshFilter.h"
 
@@ -40,7 +44,7 @@ namespace itk
  *
  * The whole pipeline in one filter: MergeLabelIslandsImageFilter, LabelImageToIndicatorImagesFilter,
  * IndicatorImagesToSizingImageFilter and IndicatorImagesToMeshFilter. Data that is not needed any more is released on
- * the way. It implements \cite Meyer2008 "Multimaterial Meshing of MRI Head Data for Bioelectric Field Simulations".
+ * the way. The method is that of "Multimaterial Meshing of MRI Head Data for Bioelectric Field Simulations".
  *
  * Input: a three-dimensional image of an integer type with any origin, spacing and direction. Its labels are whole
  * numbers within the range of `int`, which need not be consecutive. Lengths are in mm, that is in the unit of the
@@ -62,7 +66,7 @@ namespace itk
  * Update() throws an ExceptionObject if the image has one value only or nothing but exterior, if a parameter is out of
  * its range or contradicts another, if the sizing image is not positive or not on the grid of the label image, and with
  * TetGen's own words if TetGen fails; GetSurface() and GetParticles() then hold what was to be filled. It throws
- * ProcessAborted if the filter is told to abort, which it notices within about a second.
+ * ProcessAborted if the filter is told to abort.
  *
  * Observers of ProgressEvent may ask GetCurrentStage() and GetStageProgress(), besides GetProgress().
  *
@@ -91,12 +95,9 @@ public:
 
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
-  using VoxelCountsType = std::map<LabelType, std::size_t>;
+  using VoxelCountsType = mmm::LabelCounts;
   using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
   using StageRecordsType = std::vector<mmm::StageRecord>;
-
-  static_assert(TLabelImage::ImageDimension == 3, "Only images of three dimensions can be meshed.");
-  static_assert(TOutputMesh::PointDimension == 3, "Tetrahedra need points of three dimensions.");
 
   /** The value of a length that is to follow the image's smallest voxel spacing. It is not a number: test with
    * std::isnan(). */
@@ -104,6 +105,11 @@ public:
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(LabelImageToTetrahedralMeshFilter);
+
+  itkConceptMacro(ThreeDimensionsCheck, (Concept::SameDimension<TLabelImage::ImageDimension, 3>));
+  itkConceptMacro(PointDimensionCheck, (Concept::SameDimension<TOutputMesh::PointDimension, 3>));
+  itkConceptMacro(IntegerPixelsCheck, (Concept::IsInteger<typename TLabelImage::PixelType>));
+  itkConceptMacro(LabelConvertibleCheck, (Concept::Convertible<LabelType, typename TOutputMesh::CellPixelType>));
 
   /** Labels that are not meshed. They are one material, which takes the first of them that the image has. May be empty:
    * everything is meshed. Those that the image lacks are in GetAbsentExteriorLabels(). Default: {0}. */
@@ -134,7 +140,8 @@ public:
   itkSetMacro(GradientLimit, double);
   itkGetConstMacro(GradientLimit, double);
 
-  /** The smallest edge length to ask for, in mm, positive. Default: Automatic, the smallest voxel spacing. */
+  /** The smallest edge length to ask for, in mm, positive. Default: Automatic, the smallest voxel spacing, or MaximumSize
+   * where that is smaller. */
   itkSetMacro(MinimumSize, double);
   itkGetConstMacro(MinimumSize, double);
 
@@ -174,7 +181,7 @@ public:
   itkGetConstReferenceMacro(Labels, LabelsType);
 
   /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first of
-   * ExteriorLabels, or 0 if there is none or that is a label of the image, or if 0 is one, the smallest label minus 1. */
+   * ExteriorLabels; if there is none, 0 or, if 0 is a label of the image, the smallest label minus 1. */
   itkGetConstMacro(OutsideLabel, LabelType);
 
   /** Listed exterior labels that the image lacks, in the order of the list. */
@@ -190,13 +197,23 @@ public:
   itkGetConstReferenceMacro(Report, mmm::MeshingReport);
 
   /** The stages that ended, in their order. */
-  itkGetConstReferenceMacro(StageRecords, StageRecordsType);
+  const StageRecordsType &
+  GetStageRecords() const
+  {
+    return m_StageLog.records;
+  }
 
-  /** The stage that is running or ran last, for instance "sizing". */
-  itkGetConstReferenceMacro(CurrentStage, std::string);
-
-  /** How much of that stage is done, in [0, 1]. */
-  itkGetConstMacro(StageProgress, float);
+  /** The stage that is running or ran last, for instance "sizing", and how much of it is done, in [0, 1]. */
+  const std::string &
+  GetCurrentStage() const
+  {
+    return m_StageLog.current;
+  }
+  float
+  GetStageProgress() const
+  {
+    return m_StageLog.progress;
+  }
 
   /** With KeepIntermediates: the signed distance of a label's smoothed boundary, in mm, positive inside, on the label's
    * bounding box and a band around it. Throws an ExceptionObject if there is none for the label. */
@@ -230,9 +247,58 @@ protected:
   GenerateInputRequestedRegion() override;
 
   void
+  GenerateOutputRequestedRegion(DataObject * output) override;
+
+  void
   GenerateData() override;
 
 private:
+  using IndicatorImagesType = std::vector<IndicatorImageType::Pointer>;
+  using MeshFilterType = IndicatorImagesToMeshFilter<IndicatorImageType, TOutputMesh>;
+
+  mmm::SizingOptions
+  GetSizingOptions() const;
+
+  /** The place of the exterior label among the labels, or -1 if the image has none. */
+  int
+  GetExteriorIndex() const;
+
+  /** The image in the geometry of its grid, where the stages work: the grid's unit of length, origin 0, no rotation. */
+  typename TLabelImage::Pointer
+  MakeGridImage(const mmm::GridGeometry & geometry);
+
+  /** The optional sizing image in that geometry, or a null pointer. */
+  SizingImageType::Pointer
+  MakeGridSizingImage(const mmm::GridGeometry & geometry) const;
+
+  /** Gives an image of a stage the geometry of the input, with values in mm. */
+  void
+  RestoreGeometry(Image<float, 3> * image, double unit);
+
+  /** Throws if there is nothing to mesh. */
+  void
+  VerifyLabels(const VoxelCountsType & counts) const;
+
+  /** The stages, one by one. */
+  typename TLabelImage::Pointer
+  MergeIslands(const TLabelImage * labels, mmm::FilterMonitor & monitor);
+  IndicatorImagesType
+  ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
+  SizingImageType::Pointer
+  ComputeSizing(const IndicatorImagesType & indicators, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
+  void
+  BuildMeshes(const IndicatorImagesType & indicators, const SizingImageType * sizing, mmm::FilterMonitor & monitor);
+
+  /** Passes a stage's progress on to the monitor, and the order to abort to the stage's filter. */
+  void
+  Observe(ProcessObject * filter, mmm::FilterMonitor & monitor);
+
+  void
+  TakeOutputs(MeshFilterType * filter);
+
+  void
+  FindVanishedLabels(const VoxelCountsType & counts);
+
   LabelsType    m_ExteriorLabels{ 0 };
   SizeValueType m_MinimumIslandSize{ 8 };
   double        m_Radius{ Automatic };
@@ -251,12 +317,10 @@ private:
   IslandRecordsType  m_IslandRecords;
   VoxelCountsType    m_VanishedLabels;
   mmm::MeshingReport m_Report;
-  StageRecordsType   m_StageRecords;
-  std::string        m_CurrentStage;
-  float              m_StageProgress{ 0.0f };
+  mmm::StageLog      m_StageLog;
 
-  std::vector<IndicatorImageType::Pointer> m_IndicatorImages;
-  SizingImageType::Pointer                 m_ComputedSizingImage;
+  IndicatorImagesType      m_IndicatorImages;
+  SizingImageType::Pointer m_ComputedSizingImage;
 };
 } // namespace itk
 

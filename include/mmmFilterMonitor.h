@@ -66,6 +66,10 @@ public:
   void
   Report(double fraction) override;
 
+  /** Reports without throwing, for observers of ITK's own filters: these report from destructors, too. */
+  void
+  Update(double fraction);
+
 private:
   using Clock = std::chrono::steady_clock;
 

@@ -95,6 +95,11 @@ public:
   bool
   Project(const Cell & cell, Vector & x, double reach) const;
 
+  /** One step of Project(), for a point that is near the cell already. `direction` becomes the normal of a 2-cell or the
+   * tangent of a 1-cell. Returns false, and leaves the point, where the cell is further than half a voxel. */
+  bool
+  Approach(const Cell & cell, Vector & x, Vector & direction) const;
+
   /** Whether the cell's materials are the largest at x, which lies on the cell: nobody else is larger by more than
    * `tolerance`, and x is in the box. */
   bool
@@ -121,6 +126,8 @@ private:
   Evaluate(Material m, const Stencil & stencil, Vector & gradient) const;
   int
   Residuals(const Cell & cell, const Vector & x, double * values, Vector * gradients) const;
+  bool
+  GaussNewtonStep(const Cell & cell, const Vector & x, Vector & step, Vector & direction) const;
   /** Particles of a cut are to be exactly coplanar. */
   void
   SnapToPlanes(const Cell & cell, Vector & x) const;

@@ -74,7 +74,7 @@ SetMeshCells(TMesh * mesh, const std::vector<TCorners> & cells, const TPredicate
   mesh->SetCells(container);
 }
 
-/** The smallest and the largest label of those that meet, in this order, are repeated or dropped to fill TPixel. */
+/** Gives an itk::Mesh a value per cell. */
 template <typename TMesh>
 void
 SetMeshCellData(TMesh * mesh, std::vector<typename TMesh::CellPixelType> values)

@@ -31,6 +31,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
+#include <new>
 #include <utility>
 
 namespace itk
@@ -57,6 +59,12 @@ RepeatPixels(mmm::VTUPixels & pixels, const std::vector<std::size_t> & sources)
   }
   pixels.values.bytes = std::move(bytes);
   pixels.values.count = sources.size() * pixels.numberOfComponents;
+}
+
+const char *
+ReasonOf(const std::exception & error)
+{
+  return dynamic_cast<const std::bad_alloc *>(&error) ? "not enough memory" : error.what();
 }
 
 IOPixelEnum
@@ -196,7 +204,7 @@ VTUMeshIO::ReadMeshInformation()
   }
   catch (const std::exception & error)
   {
-    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << error.what());
+    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << ReasonOf(error));
   }
 }
 
@@ -261,7 +269,7 @@ VTUMeshIO::WritePart(TBody body)
   catch (const std::exception & error)
   {
     m_Written = nullptr;
-    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << error.what());
+    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << ReasonOf(error));
   }
 }
 

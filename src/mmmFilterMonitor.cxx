@@ -58,10 +58,16 @@ FilterMonitor::BeginStage(const std::string & name)
 }
 
 void
-FilterMonitor::Report(double fraction)
+FilterMonitor::Update(double fraction)
 {
   m_Log.progress = static_cast<float>(std::min(std::max(fraction, 0.0), 1.0));
   m_Filter->UpdateProgress(static_cast<float>(std::min(m_Start + m_Share * m_Log.progress, 1.0)));
+}
+
+void
+FilterMonitor::Report(double fraction)
+{
+  this->Update(fraction);
   if (m_Filter->GetAbortGenerateData())
   {
     itk::ProcessAborted aborted(__FILE__, __LINE__);

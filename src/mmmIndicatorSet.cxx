@@ -391,62 +391,86 @@ IndicatorSet::Residuals(const Cell & cell, const Vector & x, double * values, Ve
 }
 
 bool
+IndicatorSet::GaussNewtonStep(const Cell & cell, const Vector & x, Vector & step, Vector & direction) const
+{
+  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
+
+  double    values[4];
+  Vector    gradients[4];
+  const int count = this->Residuals(cell, x, values, gradients);
+  if (count == 1)
+  {
+    const double square = gradients[0].squaredNorm();
+    if (square < 1e-6)
+    {
+      return false;
+    }
+    step = -values[0] / square * gradients[0];
+    direction = gradients[0] / (this->IsPlane(cell.materials[1]) ? std::sqrt(square) : -std::sqrt(square));
+  }
+  else
+  {
+    Jacobian j(count, 3);
+    Column   r(count);
+    for (int n = 0; n < count; ++n)
+    {
+      j.row(n) = gradients[n].transpose();
+      r[n] = values[n];
+    }
+    Square a = j * j.transpose();
+    a.diagonal().array() += 1e-6 * a.trace();
+    step = -(j.transpose() * a.ldlt().solve(r));
+    direction = gradients[0].cross(gradients[1]).normalized();
+  }
+  return step.squaredNorm() < 1e6;
+}
+
+bool
 IndicatorSet::Project(const Cell & cell, Vector & x, double reach) const
 {
   constexpr int    MaximumSteps = 12;
   constexpr double Accuracy = 1e-4;
   constexpr double LongestStep = 0.7;
-  using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
-  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
-  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
 
   const Vector start = x;
-  double       values[4];
-  Vector       gradients[4];
-  for (int step = 0; step < MaximumSteps; ++step)
+  for (int n = 0; n < MaximumSteps; ++n)
   {
-    const int count = this->Residuals(cell, x, values, gradients);
-    Vector    move = Vector::Zero();
-    if (count == 1)
-    {
-      const double square = gradients[0].squaredNorm();
-      if (square < 1e-6)
-      {
-        return false;
-      }
-      move = -values[0] / square * gradients[0];
-    }
-    else
-    {
-      Jacobian j(count, 3);
-      Column   r(count);
-      for (int n = 0; n < count; ++n)
-      {
-        j.row(n) = gradients[n].transpose();
-        r[n] = values[n];
-      }
-      Square a = j * j.transpose();
-      a.diagonal().array() += 1e-6 * a.trace();
-      move = -(j.transpose() * a.ldlt().solve(r));
-    }
-    const double length = move.norm();
-    if (!(length < 1e3))
+    Vector step;
+    Vector direction;
+    if (!this->GaussNewtonStep(cell, x, step, direction))
     {
       return false;
     }
+    const double length = step.norm();
     if (length < Accuracy)
     {
-      x += move;
+      x += step;
       this->SnapToPlanes(cell, x);
       return (x - start).norm() <= reach;
     }
-    x += length > LongestStep ? Vector(move * (LongestStep / length)) : move;
+    x += length > LongestStep ? Vector(step * (LongestStep / length)) : step;
     if ((x - start).norm() > 2.0 * reach)
     {
       return false;
     }
   }
   return false;
+}
+
+bool
+IndicatorSet::Approach(const Cell & cell, Vector & x, Vector & direction) const
+{
+  constexpr double LongestStep = 0.5;
+  Vector           step;
+  if (!this->GaussNewtonStep(cell, x, step, direction) || step.squaredNorm() > LongestStep * LongestStep)
+  {
+    return false;
+  }
+  x += step;
+  this->SnapToPlanes(cell, x);
+  return true;
 }
 
 void

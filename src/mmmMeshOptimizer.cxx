@@ -419,7 +419,7 @@ private:
       const PointId d = link[cuts[1]];
       const Material one = materials[cuts[0]];
       const Material two = m_Ring.closed ? materials[cuts[1] % count] : m_Exterior;
-      if (!this->MayFlip(a, b, c, d, one, two))
+      if (!this->MayFlip(a, b, c, d, one, two) || (!m_Ring.closed && this->AreNeighbours(c, d)))
       {
         return false;
       }
@@ -443,6 +443,16 @@ private:
     m_Complex.Replace(old, fresh, m_Ids);
     ++(cuts.empty() ? m_Report.flips : m_Report.interfaceFlips);
     return true;
+  }
+
+  bool
+  AreNeighbours(PointId p, PointId q)
+  {
+    m_Complex.GetStar(p, m_Star);
+    return std::any_of(m_Star.begin(), m_Star.end(), [&](Id t) {
+      const auto & corners = m_Complex.Corners(t);
+      return std::find(corners.begin(), corners.end(), q) != corners.end();
+    });
   }
 
   /** Whether the edge ab of an interface may become cd. */
@@ -579,27 +589,38 @@ private:
     return true;
   }
 
-  /** The link condition: points that share a tetrahedron with u and with v are those of the ring around uv. */
+  /** The link condition: the points and edges that lie opposite both u and v are those of the ring around uv. */
   bool
   LinksMeetInRing(Id t, PointId u, PointId v)
   {
     m_Complex.GetRing(t, u, v, m_Ring);
     m_Complex.GetStar(v, m_OtherStar);
-    const auto neighbours = [&](const std::vector<Id> & star) {
-      std::vector<PointId> points;
+    using Edge = std::array<PointId, 2>;
+    const auto linkOf = [&](PointId p, const std::vector<Id> & star) {
+      std::vector<Edge> link; // a point is listed as an edge to itself
       for (const Id s : star)
       {
-        points.insert(points.end(), m_Complex.Corners(s).begin(), m_Complex.Corners(s).end());
+        const auto & corners = m_Complex.Corners(s);
+        for (int a = 0; a < 4; ++a)
+        {
+          for (int b = a; b < 4; ++b)
+          {
+            if (corners[a] != p && corners[b] != p)
+            {
+              link.push_back({ { std::min(corners[a], corners[b]), std::max(corners[a], corners[b]) } });
+            }
+          }
+        }
       }
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
-      return points;
+      std::sort(link.begin(), link.end());
+      link.erase(std::unique(link.begin(), link.end()), link.end());
+      return link;
     };
-    const auto           ofU = neighbours(m_Star);
-    const auto           ofV = neighbours(m_OtherStar);
-    std::vector<PointId> common;
+    const auto        ofU = linkOf(u, m_Star);
+    const auto        ofV = linkOf(v, m_OtherStar);
+    std::vector<Edge> common;
     std::set_intersection(ofU.begin(), ofU.end(), ofV.begin(), ofV.end(), std::back_inserter(common));
-    return common.size() == m_Ring.link.size() + 2;
+    return common.size() == m_Ring.link.size() + m_Ring.tetrahedra.size();
   }
 
   /** Whether point u of a surface may slide into v: the edge lies on the surface, the surface's own links meet in two

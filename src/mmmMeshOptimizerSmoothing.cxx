@@ -285,8 +285,25 @@ PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
   return true;
 }
 
-/** Every tetrahedron wants p above the centre of its opposite face, as high as in a regular one; the worse it is, the
- * more it is heard. */
+/** Where one tetrahedron wants its corner p: above the centre of the opposite face, as high as in a regular one. */
+Vector
+PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
+{
+  const int      own = int(std::find(t.begin(), t.end(), p) - t.begin());
+  const Vector & a = m_Points[t[TetrahedronFaces[own][0]]];
+  const Vector & b = m_Points[t[TetrahedronFaces[own][1]]];
+  const Vector & c = m_Points[t[TetrahedronFaces[own][2]]];
+  const Vector   normal = (b - a).cross(c - a); // away from p
+  const double   area = normal.norm();
+  if (!(area > 0.0))
+  {
+    return m_Points[p];
+  }
+  const double height = 0.8165 * std::sqrt(area / 0.8660254);
+  return (a + b + c) / 3.0 - height / area * normal;
+}
+
+/** The average of the ideal places; the worse a tetrahedron is, the more it is heard. */
 bool
 PointSmoother::MoveToAverage(PointId p)
 {
@@ -296,71 +313,73 @@ PointSmoother::MoveToAverage(PointId p)
   for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
   {
     const auto & t = m_Tetrahedra[m_Star[s]];
-    const int    own = int(std::find(t.begin(), t.end(), p) - t.begin());
-    const auto & a = m_Points[t[TetrahedronFaces[own][0]]];
-    const auto & b = m_Points[t[TetrahedronFaces[own][1]]];
-    const auto & c = m_Points[t[TetrahedronFaces[own][2]]];
-    const Vector normal = (b - a).cross(c - a); // away from p
-    const double area = normal.norm();
-    if (!(area > 0.0))
-    {
-      continue;
-    }
     const double quality = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
-    const double height = 0.8165 * std::sqrt(area / 0.8660254); // of a regular tetrahedron on a base of this area
     const double weight = 1.0 / (0.05 + std::max(0.0, quality));
-    sum += weight * ((a + b + c) / 3.0 - height / area * normal);
+    sum += weight * this->IdealPlace(p, t);
     weights += weight;
     worst = std::min(worst, quality);
   }
-  if (!(weights > 0.0))
-  {
-    return false;
-  }
   const Vector target = sum / weights;
   // far from the worst there is room: a little may be given up for the average
-  const double floor = QualityOfAngle(30.0);
-  double       least = worst > floor ? floor : worst;
+  double least = std::min(worst, QualityOfAngle(30.0));
   return this->TryMove(p, target, least) || this->TryMove(p, 0.5 * (target + m_Points[p]), least);
 }
 
-/** Pattern search for the place where the worst tetrahedron is best. */
+/** Searches for a place where the worst tetrahedron is better: towards what the worst ones want, then all around. */
 bool
 PointSmoother::MoveUphill(PointId p, double quality)
 {
-  double worst = this->WorstAround(p, m_Points[p], -2.0);
+  std::array<std::pair<double, std::uint32_t>, 3> poorest;
+  poorest.fill({ 2.0, 0 });
+  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  {
+    const auto & t = m_Tetrahedra[m_Star[s]];
+    const double q = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
+    if (q < poorest[2].first)
+    {
+      poorest[2] = { q, m_Star[s] };
+      std::sort(poorest.begin(), poorest.end());
+    }
+  }
+  double worst = poorest[0].first;
   if (worst >= quality)
   {
     return false;
   }
-  double size = 0.0;
-  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  bool moved = false;
+  for (const auto & entry : poorest)
   {
-    for (const auto corner : m_Tetrahedra[m_Star[s]])
+    const Vector direction = this->IdealPlace(p, m_Tetrahedra[entry.second]) - m_Points[p];
+    for (const double share : { 0.5, 0.2, 0.05 })
     {
-      size = std::max(size, (m_Points[corner] - m_Points[p]).norm());
+      if (this->TryMove(p, m_Points[p] + share * direction, worst))
+      {
+        moved = true;
+        break;
+      }
     }
   }
-  bool moved = this->MoveToAverage(p);
-  worst = this->WorstAround(p, m_Points[p], -2.0);
-  for (double step = 0.25 * size; step > 0.01 * size; step *= 0.5)
+  if (worst >= 0.5 * quality)
   {
-    bool better = true;
-    for (int tries = 0; tries < 4 && better; ++tries)
+    return moved;
+  }
+  double size = 0.0;
+  for (const auto corner : m_Tetrahedra[poorest[0].second])
+  {
+    size = std::max(size, (m_Points[corner] - m_Points[p]).norm());
+  }
+  for (double step = 0.2 * size; step > 0.02 * size; step *= 0.5)
+  {
+    for (int d = 0; d < 14; ++d)
     {
-      better = false;
-      for (int d = 0; d < 14 && !better; ++d)
+      // the axes, then the diagonals
+      Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
+      if (d >= 6)
       {
-        // the axes, then the diagonals
-        Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
-        if (d >= 6)
-        {
-          const int bits = d - 6;
-          direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
-        }
-        better = this->TryMove(p, m_Points[p] + step * direction, worst);
+        const int bits = d - 6;
+        direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
       }
-      moved = moved || better;
+      moved = this->TryMove(p, m_Points[p] + step * direction, worst) || moved;
     }
   }
   return moved;

@@ -74,8 +74,6 @@ public:
   SmoothWorst(double quality);
 
 private:
-  struct Around;
-
   void
   ClassifyPoints(Material exterior, const std::vector<Material> & materials);
   void
@@ -83,6 +81,8 @@ private:
   template <typename TMove>
   std::size_t
   MoveByColour(TMove && move);
+  Vector
+  IdealPlace(PointId p, const Tetrahedron & t) const;
   bool
   MoveToAverage(PointId p);
   bool

@@ -33,6 +33,9 @@ namespace
 {
 const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxation of 2-cells", "relaxation of the interior" };
 
+/** Smoothing takes over what relaxation has not settled in the interior. */
+constexpr int InteriorSweeps = 12;
+
 /** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */
 std::size_t
 DropUnusedParticles(ParticleSet & particles, InterfaceMesh & interfaces)
@@ -245,7 +248,9 @@ BuildMesh(const IndicatorSet &      indicators,
   SeedInteriorParticles(indicators, sizing, parameters.exterior, parameters.seed, all);
   monitor.Report(1.0);
   monitor.BeginStage(RelaxationNames[3]);
-  report.relaxation[3] = RelaxParticles(indicators, sizing, 3, parameters.relaxation, all, monitor);
+  RelaxationParameters interior = parameters.relaxation;
+  interior.maximumSweeps = std::min(interior.maximumSweeps, InteriorSweeps);
+  report.relaxation[3] = RelaxParticles(indicators, sizing, 3, interior, all, monitor);
   report.particles[3] = all.Size() - particles.Size();
 
   monitor.BeginStage("constrained tetrahedralization");

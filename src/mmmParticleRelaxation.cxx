@@ -28,20 +28,22 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 1024;
-/** The energy vanishes at this distance, in units of h: the second ring of a hexagonal packing. */
-constexpr double Support = 1.7320508;
-/** Neighbours are listed up to this distance, in units of the particle's own h, which leaves room to move and for
- * neighbours with a larger h. */
-constexpr double ListingDistance = 2.1;
+/** The energy vanishes at this distance, in units of h: on a surface the second ring of a hexagonal packing, in space
+ * beyond the second shell of a close packing. By dimension. */
+constexpr double Supports[] = { 1.0, 1.7320508, 1.7320508, 1.5 };
+/** The energy of a particle with two, six or twelve neighbours at distance h. */
+constexpr double IdealEnergies[] = { 0.0, 0.24, 0.72, 0.64 };
+/** What counts as crowded and as lonely against it. */
+constexpr double CrowdedEnergy = 1.6;
+constexpr double LonelyEnergy = 0.65;
+/** Neighbours are listed a little beyond the support of a particle's own h: there is room to move, and for neighbours
+ * with a larger h. */
+constexpr double ListingMargin = 1.2;
 constexpr int    SweepsPerListing = 4;
 constexpr double Damping = 0.6;
 constexpr double LongestMove = 0.25;
 /** Sweeps after which the population is adapted. */
-constexpr int PopulationSweeps[] = { 6, 12, 18 };
-/** The energy of a particle with six neighbours at distance h, and what counts as crowded and as lonely against it. */
-constexpr double IdealEnergy = 0.72;
-constexpr double CrowdedEnergy = 1.5 * IdealEnergy;
-constexpr double LonelyEnergy = 0.6 * IdealEnergy;
+constexpr int PopulationSweeps[] = { 4, 8, 12, 16, 20 };
 constexpr double MaximalityTolerance = 1e-2;
 
 class Relaxation
@@ -82,7 +84,7 @@ public:
       report.meanMove = this->Sweep();
       report.sweeps = sweep + 1;
       monitor.Report(double(sweep + 1) / m_Parameters.maximumSweeps);
-      if (report.meanMove < m_Parameters.tolerance && sweep > PopulationSweeps[2])
+      if (report.meanMove < m_Parameters.tolerance && sweep > *std::prev(std::end(PopulationSweeps)))
       {
         break;
       }
@@ -99,17 +101,29 @@ private:
     return m_Particles.CellOf(p).Dimension() == m_Dimension;
   }
 
-  /** The sizes at all particles, and the normals of those that move on a surface. */
   void
-  UpdateAttributes()
+  UpdateSizes()
   {
     const std::size_t count = m_Particles.Size();
     m_Sizes.resize(count);
-    m_Directions.resize(count, Vector::Zero());
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {
         m_Sizes[p] = float(m_Sizing(m_Particles.positions[p]));
+      }
+    });
+  }
+
+  /** The sizes at all particles, and the normals or tangents of those that move. */
+  void
+  UpdateAttributes()
+  {
+    this->UpdateSizes();
+    const std::size_t count = m_Particles.Size();
+    m_Directions.assign(count, Vector::Zero());
+    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p)
+      {
         m_Directions[p] = this->IsActive(p) ? this->Direction(p, m_Particles.positions[p]) : Vector::Zero();
       }
     });
@@ -145,6 +159,7 @@ private:
     m_Bins.Assign(m_Particles.positions);
     std::vector<std::vector<std::uint32_t>> parts(ranges);
     m_NeighbourStart.assign(count + 1, 0);
+    m_NearJunction.assign(count, 0);
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       auto & part = parts[begin / Grain];
       for (std::size_t p = begin; p < end; ++p)
@@ -152,12 +167,13 @@ private:
         const std::size_t before = part.size();
         if (this->IsActive(p))
         {
-          const double   reach = ListingDistance * m_Sizes[p];
+          const double   reach = ListingMargin * Supports[m_Dimension] * m_Sizes[p];
           const Vector & x = m_Particles.positions[p];
           m_Bins.Visit(x, reach, [&](std::uint32_t q) {
             if (q != p && (m_Particles.positions[q] - x).squaredNorm() < reach * reach && this->Repels(q, p))
             {
               part.push_back(q);
+              m_NearJunction[p] |= m_Particles.cells[q] != m_Particles.cells[p];
             }
           });
         }
@@ -186,7 +202,7 @@ private:
     {
       const auto   q = m_Neighbours[n];
       const Vector offset = m_Particles.positions[q] - x;
-      const double scale = Support * 0.5 * (double(m_Sizes[p]) + m_Sizes[q]);
+      const double scale = Supports[m_Dimension] * 0.5 * (double(m_Sizes[p]) + m_Sizes[q]);
       const double square = offset.squaredNorm() / (scale * scale);
       if (square < 1.0)
       {
@@ -240,6 +256,7 @@ private:
   {
     const std::size_t   count = m_Particles.Size();
     std::vector<Vector> next(m_Particles.positions);
+    std::vector<Vector> directions(m_Directions);
     std::vector<double> moves((count + Grain - 1) / Grain, 0.0);
     std::size_t         active = 0;
     for (std::size_t p = 0; p < count; ++p)
@@ -266,22 +283,39 @@ private:
           step *= LongestMove * h / length;
         }
         Vector x = m_Particles.positions[p] + step;
-        if (this->Admit(p, x))
+        Vector direction = m_Directions[p];
+        if (this->Follow(p, x, direction))
         {
           sum += (x - m_Particles.positions[p]).norm() / h;
           next[p] = x;
+          directions[p] = direction;
         }
       }
       moves[begin / Grain] = sum;
     });
     m_Particles.positions.swap(next);
-    this->UpdateAttributes();
+    m_Directions.swap(directions);
+    this->UpdateSizes();
     double sum = 0.0;
     for (const double move : moves)
     {
       sum += move;
     }
     return active ? sum / active : 0.0;
+  }
+
+  /** Brings a particle that moved a little back to its cell, to first order. Others' maximality can end the cell only
+   * beside a junction, whose particles are then among the neighbours. */
+  bool
+  Follow(std::size_t p, Vector & x, Vector & direction) const
+  {
+    const Cell & cell = m_Particles.CellOf(p);
+    if (m_Dimension == 3)
+    {
+      return this->Admit(p, x);
+    }
+    return m_Indicators.Approach(cell, x, direction) &&
+           (!m_NearJunction[p] || m_Indicators.IsMaximal(cell, x, MaximalityTolerance));
   }
 
   /** Projects a moved particle on its cell; false where it would leave it. */
@@ -315,15 +349,13 @@ private:
     {
       return;
     }
-    // a particle on a curve has two neighbours, one in a volume about twelve
-    const double        share = m_Dimension == 1 ? 1.0 / 3.0 : (m_Dimension == 3 ? 2.0 : 1.0);
     const std::size_t   count = m_Particles.Size();
     std::vector<float>  energy(count, 0.0f);
     std::vector<char>   removed(count, 0);
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {
-        energy[p] = this->IsActive(p) ? float(this->Energy(p) / share) : 0.0f;
+        energy[p] = this->IsActive(p) ? float(this->Energy(p) / IdealEnergies[m_Dimension]) : 0.0f;
       }
     });
     std::vector<Vector>        splitPositions;
@@ -439,6 +471,7 @@ private:
   PointBins                    m_Bins;
   std::vector<float>           m_Sizes;
   std::vector<Vector>          m_Directions;
+  std::vector<char>            m_NearJunction;
   std::vector<std::uint32_t>   m_NeighbourStart;
   std::vector<std::uint32_t>   m_Neighbours;
 };

@@ -27,8 +27,8 @@ namespace mmm
 {
 namespace
 {
-/** Random sequential packing at this distance, in units of h, leaves as many particles as a hexagonal packing of h. */
-constexpr double ThinningDistance = 0.76;
+/** Thinning at this distance, in units of h, leaves about as many particles as a hexagonal packing of h has. */
+constexpr double ThinningDistance = 0.68;
 /** A seed's projection stays within this distance of its cube's centre, in units of the smallest voxel spacing. */
 constexpr double SeedReach = 1.2;
 constexpr double MaximalityTolerance = 1e-3;

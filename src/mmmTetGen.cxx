@@ -162,7 +162,7 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   };
   try
   {
-    Run("zpYAJQ", in, out);
+    Run("zpYMAJQ", in, out);
   }
   catch (...)
   {

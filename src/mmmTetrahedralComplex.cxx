@@ -240,6 +240,14 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
       m_PointTetrahedron[corner] = t;
     }
   }
+  // what found no twin lies on the outside of the mesh now
+  for (const auto & o : open)
+  {
+    if (o.tetrahedron != NoTetrahedron)
+    {
+      m_Neighbours[o.tetrahedron][o.number] = NoTetrahedron;
+    }
+  }
 }
 
 TetrahedralMesh

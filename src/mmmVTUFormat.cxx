@@ -79,7 +79,7 @@ ComponentTypeOfVTU(const std::string & typeName)
       return type;
     }
   }
-  throw VTUError("its type \"" + typeName + "\" is not supported");
+  throw VTUError("has the type \"" + typeName + "\", which is not supported");
 }
 
 std::uint8_t

@@ -70,7 +70,8 @@ protected:
   SetUp() override
   {
     const auto * const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    m_Folder = std::filesystem::path(::testing::TempDir()) / (std::string("VTUMeshIO") + info->name());
+    m_Folder = std::filesystem::path(::testing::TempDir()) /
+               (std::string("VTUMeshIO") + info->name() + std::to_string(std::random_device()()));
     std::filesystem::remove_all(m_Folder);
     std::filesystem::create_directories(m_Folder);
   }
@@ -967,8 +968,8 @@ TEST_F(VTUMeshIOTest, ReadsBothByteOrdersAndHeaderSizes)
 
 TEST_F(VTUMeshIOTest, ReadsValuesAmongTheKeysOfVTK)
 {
-  const std::string key =
-    R"(<InformationKey name="L2_NORM_RANGE" length="2"><Value index="0">0</Value> <Value index="1">1</Value></InformationKey>)";
+  const std::string key = R"(<InformationKey name="L2_NORM_RANGE" length="2">)"
+                          R"(<Value index="0">0</Value> <Value index="1">1</Value></InformationKey>)";
   Save(Name(), Replaced(smallFile, "0 0 0 1 0 0 0 1 0<", "0 0 0 1 0 0 0 1 0 \n" + key + " <"));
   EXPECT_EQ(Read(Name())->GetPoint(1)[0], 1);
   Save(Name(), Replaced(smallFile, "\n0 0 0 1 0 0 0 1 0<", key + key + "0 0 0 1 0 0 0 1 0<"));
@@ -1016,7 +1017,7 @@ TEST_F(VTUMeshIOTest, SaysWhichFileCannotBeReadAndWhy)
   expectError("Name=\"label\"", "Name=\"label\" NumberOfComponents=\"3\"", "6");
   expectError("Name=\"offsets\"", "Name=\"offsets\" NumberOfComponents=\"2\"", "offsets");
   expectError("Name=\"offsets\"", "Name=\"ofsets\"", "no array \"offsets\"");
-  expectError("Int32", "Int31", "\"Int31\" is not supported");
+  expectError("Int32", "Int31", "has the type \"Int31\", which is not supported");
   expectError("Int64\" Name=\"offsets", "Float32\" Name=\"offsets", "one integer per value");
   expectError(">5 6<", ">  5  <", "holds 1 values, where 2 are expected");
   expectError(">5 6<", ">5 six<", "\"six\"");

@@ -131,7 +131,13 @@ public:
   void
   operator()(std::string Settings::* field) const
   {
-    this->AddText([this_ = *this, field](const std::string & text) { this_.m_Settings.*field = text; });
+    this->AddText([this_ = *this, field](const std::string & text) {
+      if (text.empty())
+      {
+        throw UsageError(NameOf(this_.m_Option) + " is empty; it has to be a file name");
+      }
+      this_.m_Settings.*field = text;
+    });
   }
 
   template <typename T>
@@ -219,19 +225,27 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
     std::visit(OptionAdder(parser, option, settings), option.field);
   }
 
+  // Whoever asks for help is not told first what else is wrong.
+  const auto isHelp = [&] { return help->count() > 0 || version->count() > 0; };
   try
   {
     parser.parse(argc, argv);
   }
+  catch (const UsageError &)
+  {
+    if (!isHelp())
+    {
+      throw;
+    }
+  }
   catch (const CLI::ParseError & error)
   {
-    // Whoever asks for help is not told first what else is missing.
-    if (help->count() == 0 && version->count() == 0)
+    if (!isHelp())
     {
       throw UsageError(ToOneLine(error.what()) + "; --help lists the options");
     }
   }
-  if (help->count() > 0 || version->count() > 0)
+  if (isHelp())
   {
     return help->count() > 0 ? Request::Help : Request::Version;
   }

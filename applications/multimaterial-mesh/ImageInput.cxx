@@ -18,11 +18,15 @@
 #include "ImageInput.h"
 
 #include "Errors.h"
+#include "NiftiCheck.h"
+#include "StreamCapture.h"
+#include "Warnings.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageIOFactory.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkImageRegionIterator.h"
+#include "itkMetaImageIO.h"
 
 #include <cmath>
 #include <filesystem>
@@ -77,6 +81,22 @@ CheckDimension(const std::string & fileName, const itk::ImageIOBase & io)
   }
 }
 
+[[noreturn]] void
+ThrowDamaged(const std::string & fileName, const std::string & reason)
+{
+  throw Error(fileName + ": the image cannot be read, it may be damaged: " + reason);
+}
+
+/** What a library has printed about a file that it could read. */
+void
+WarnOfComplaint(const std::string & fileName, const std::string & complaint)
+{
+  if (!complaint.empty())
+  {
+    Warn(fileName + ": " + ToOneLine(complaint));
+  }
+}
+
 template <typename TPixel>
 typename itk::Image<TPixel, 3>::Pointer
 Read(const std::string & fileName, itk::ImageIOBase * io)
@@ -84,6 +104,7 @@ Read(const std::string & fileName, itk::ImageIOBase * io)
   auto reader = itk::ImageFileReader<itk::Image<TPixel, 3>>::New();
   reader->SetFileName(fileName);
   reader->SetImageIO(io);
+  StreamCapture capture;
   try
   {
     reader->Update();
@@ -94,8 +115,15 @@ Read(const std::string & fileName, itk::ImageIOBase * io)
   }
   catch (const itk::ExceptionObject & exception)
   {
-    throw Error(fileName + ": the image cannot be read, it may be damaged: " + ToOneLine(exception.GetDescription()));
+    ThrowDamaged(fileName, ToOneLine(exception.GetDescription()));
   }
+  const std::string complaint = capture.Finish();
+  // This reader does not fail where the end of the file is missing.
+  if (!complaint.empty() && dynamic_cast<itk::MetaImageIO *>(io) != nullptr)
+  {
+    ThrowDamaged(fileName, ToOneLine(complaint));
+  }
+  WarnOfComplaint(fileName, complaint);
   typename itk::Image<TPixel, 3>::Pointer image = reader->GetOutput();
   image->DisconnectPipeline();
   return image;
@@ -156,7 +184,13 @@ itk::ImageIOBase::Pointer
 OpenImage(const std::string & fileName)
 {
   CheckFile(fileName);
-  const auto io = itk::ImageIOFactory::CreateImageIO(fileName.c_str(), itk::IOFileModeEnum::ReadMode);
+  const std::string damage = FindNiftiDamage(fileName);
+  if (!damage.empty())
+  {
+    ThrowDamaged(fileName, damage);
+  }
+  StreamCapture capture;
+  const auto    io = itk::ImageIOFactory::CreateImageIO(fileName.c_str(), itk::IOFileModeEnum::ReadMode);
   if (io.IsNull())
   {
     throw Error(fileName + ": this is not an image file, or one of a format that cannot be read; " + Formats);
@@ -168,8 +202,9 @@ OpenImage(const std::string & fileName)
   }
   catch (const itk::ExceptionObject & exception)
   {
-    throw Error(fileName + ": the image cannot be read, it may be damaged: " + ToOneLine(exception.GetDescription()));
+    ThrowDamaged(fileName, ToOneLine(exception.GetDescription()));
   }
+  WarnOfComplaint(fileName, capture.Finish());
   CheckDimension(fileName, *io);
   if (io->GetNumberOfComponents() != 1)
   {

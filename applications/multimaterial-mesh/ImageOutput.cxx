@@ -19,6 +19,7 @@
 
 #include "Errors.h"
 #include "OutputFile.h"
+#include "StreamCapture.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageFileWriter.h"
@@ -63,7 +64,8 @@ CheckImageName(const std::string & option, const std::string & fileName)
 void
 WriteImage(const ScalarImage * image, const std::string & fileName)
 {
-  OutputFile file(fileName);
+  OutputFile    file(fileName);
+  StreamCapture capture;
   try
   {
     auto writer = itk::ImageFileWriter<ScalarImage>::New();

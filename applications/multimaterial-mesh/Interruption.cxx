@@ -33,13 +33,23 @@ NoteSignal(int signal)
   theSignal = signal;
   std::signal(signal, SIG_DFL);
 }
+
+void
+Catch(int signal)
+{
+  // Whoever started the program may have wanted it to go on, for instance in the background.
+  if (std::signal(signal, NoteSignal) == SIG_IGN)
+  {
+    std::signal(signal, SIG_IGN);
+  }
+}
 } // namespace
 
 void
 CatchInterruptions()
 {
-  std::signal(SIGINT, NoteSignal);
-  std::signal(SIGTERM, NoteSignal);
+  Catch(SIGINT);
+  Catch(SIGTERM);
 #ifdef SIGXFSZ
   // Writing beyond a file size limit shall fail like a full disk instead of killing the program.
   std::signal(SIGXFSZ, SIG_IGN);

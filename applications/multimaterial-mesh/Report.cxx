@@ -138,6 +138,17 @@ RelaxationSection(const mmm::MeshingReport & report)
 }
 
 Json
+OptimizationSection(const mmm::OptimizationReport & optimization)
+{
+  return { { "rounds", optimization.rounds },
+           { "flips", optimization.flips },
+           { "interface_flips", optimization.interfaceFlips },
+           { "relabelled", optimization.relabelled },
+           { "collapses", optimization.collapses },
+           { "moves", optimization.moves } };
+}
+
+Json
 IslandSection(const MeshFilter & filter)
 {
   Json section = Json::array();
@@ -164,6 +175,13 @@ ToJson(const mmm::Distribution & distribution)
            { "first_percentile", Number(distribution.firstPercentile) } };
 }
 
+/** {"5": 0, "10": 2, "15": 31} */
+Json
+CountsPerAngle(const std::array<std::size_t, 3> & counts, const std::array<const char *, 3> & angles)
+{
+  return { { angles[0], counts[0] }, { angles[1], counts[1] }, { angles[2], counts[2] } };
+}
+
 Json
 ToJson(const mmm::TetrahedronStatistics & statistics)
 {
@@ -174,8 +192,8 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   section["radius_ratio"] = ToJson(statistics.radiusRatio);
   section["smallest_dihedral_angle_deg"] = ToJson(statistics.smallestAngle);
   section["largest_dihedral_angle_deg"] = Number(statistics.largestAngle);
-  section["below_5_10_15_deg"] = statistics.below;
-  section["above_165_170_175_deg"] = statistics.above;
+  section["tetrahedra_below_deg"] = CountsPerAngle(statistics.below, { "5", "10", "15" });
+  section["tetrahedra_above_deg"] = CountsPerAngle(statistics.above, { "165", "170", "175" });
   section["radius_ratio_histogram"] = statistics.radiusRatioHistogram;
   section["dihedral_angle_histogram"] = statistics.dihedralAngleHistogram;
   return section;
@@ -245,6 +263,7 @@ MakeReport(const Outcome & outcome)
   report["vanished_labels"] = PerLabel(filter.GetVanishedLabels(), "voxels");
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
+  report["optimization"] = OptimizationSection(filter.GetReport().optimization);
   report["quality"] = QualitySection(outcome);
   report["stages"] = StageSection(outcome.stages);
   // File names need not be UTF-8, JSON has to be.

@@ -24,11 +24,16 @@
 
 #include <iostream>
 #include <set>
+#include <vector>
 
 namespace cli
 {
 namespace
 {
+bool                     areHeld = false;
+std::vector<std::string> held;
+std::set<std::string>    told;
+
 class WarningWindow : public itk::OutputWindow
 {
 public:
@@ -56,11 +61,31 @@ protected:
 void
 Warn(const std::string & text)
 {
-  static std::set<std::string> told;
-  if (told.insert(text).second)
+  if (areHeld)
+  {
+    held.push_back(text);
+  }
+  else if (told.insert(text).second)
   {
     std::cerr << "multimaterial-mesh: warning: " << text << std::endl;
   }
+}
+
+void
+HoldWarnings()
+{
+  areHeld = true;
+}
+
+void
+ReleaseWarnings()
+{
+  areHeld = false;
+  for (const auto & text : held)
+  {
+    Warn(text);
+  }
+  held.clear();
 }
 
 void

@@ -26,6 +26,12 @@ namespace cli
 void
 Warn(const std::string & text);
 
+/** Between the two, warnings are kept back. */
+void
+HoldWarnings();
+void
+ReleaseWarnings();
+
 /** From now on, warnings of ITK come out by Warn(). */
 void
 CatchITKWarnings();

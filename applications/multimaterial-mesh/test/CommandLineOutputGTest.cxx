@@ -1,0 +1,346 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+// What the program writes and prints.
+#include "CommandLineTest.h"
+
+#include "OptionTable.h"
+#include "itkMultiMaterialMeshTypes.h"
+#include "itkVTUMeshIO.h"
+
+#include "itkImageFileReader.h"
+// Readers get their IO from the tests; ITK may not have generated the header that registers mesh IOs.
+#undef ITK_IO_FACTORY_REGISTER_MANAGER
+#include "itkMeshFileReader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace
+{
+using FloatImage = itk::Image<float, 3>;
+
+class CommandLineOutput : public CommandLine
+{
+public:
+  /** Meshes MakeBalls() to out.vtu without complaint. */
+  RunResult
+  Mesh(std::vector<std::string> options = {}) const
+  {
+    options.insert(options.begin(), { this->WriteBalls(), this->Path("out.vtu") });
+    auto result = Run(options);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.error, "");
+    EXPECT_TRUE(this->Files().count("out.vtu"));
+    return result;
+  }
+
+  nlohmann::json
+  Report() const
+  {
+    return nlohmann::json::parse(this->Contents("report.json"));
+  }
+
+  template <typename TMesh>
+  typename TMesh::Pointer
+  ReadMesh(const std::string & name, const std::vector<std::string> & pointDataNames = {}) const
+  {
+    auto reader = itk::MeshFileReader<TMesh>::New();
+    auto io = itk::VTUMeshIO::New();
+    if (!pointDataNames.empty())
+    {
+      io->SetPointDataNames(pointDataNames);
+    }
+    reader->SetMeshIO(io);
+    reader->SetFileName(this->Path(name));
+    reader->Update();
+    typename TMesh::Pointer mesh = reader->GetOutput();
+    mesh->DisconnectPipeline();
+    return mesh;
+  }
+
+  /** Tetrahedra by label. */
+  std::map<int, std::size_t>
+  CountLabels(const std::string & name) const
+  {
+    std::map<int, std::size_t> counts;
+    const auto                 mesh = this->ReadMesh<itk::LabelTetrahedralMesh>(name);
+    for (const int label : mesh->GetCellData()->CastToSTLConstContainer())
+    {
+      ++counts[label];
+    }
+    return counts;
+  }
+};
+} // namespace
+
+TEST_F(CommandLineOutput, MeshHasTheLabelsOfTheImage)
+{
+  this->Mesh();
+  const auto counts = this->CountLabels("out.vtu");
+  EXPECT_EQ(counts.size(), 2u);
+  EXPECT_EQ(counts.count(2), 1u);
+  EXPECT_EQ(counts.count(5), 1u);
+}
+
+TEST_F(CommandLineOutput, LeavesNoOtherFiles)
+{
+  this->Mesh();
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
+}
+
+TEST_F(CommandLineOutput, ReplacesAnOlderFile)
+{
+  std::ofstream(this->Path("out.vtu")) << "old";
+  this->Mesh();
+  EXPECT_GT(std::filesystem::file_size(this->Path("out.vtu")), 1000u);
+}
+
+TEST_F(CommandLineOutput, ExteriorNoneMeshesEverything)
+{
+  this->Mesh({ "--exterior", "none" });
+  EXPECT_EQ(this->CountLabels("out.vtu").count(0), 1u);
+}
+
+TEST_F(CommandLineOutput, ExteriorReplacesTheDefault)
+{
+  this->Mesh({ "--exterior", "5" });
+  const auto counts = this->CountLabels("out.vtu");
+  EXPECT_EQ(counts.count(0), 1u);
+  EXPECT_EQ(counts.count(5), 0u);
+}
+
+TEST_F(CommandLineOutput, AbsentExteriorWarns)
+{
+  const auto result = Run({ this->WriteBalls(), this->Path("out.vtu"), "--exterior", "0,77", "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.error, "multimaterial-mesh: warning: no voxel has the exterior label 77\n");
+}
+
+TEST_F(CommandLineOutput, AbsentDefaultExteriorWarns)
+{
+  const auto image = MakeBalls();
+  std::replace(image->GetBufferPointer(), image->GetBufferPointer() + 16 * 16 * 16, 0, 1);
+  const auto result = Run({ this->WriteImage<LabelImage>(image, "one.nrrd"), this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  ASSERT_EQ(result.ErrorLines().size(), 1u);
+  EXPECT_NE(result.error.find("warning: no voxel has the exterior label 0, so everything is meshed"),
+            std::string::npos);
+  EXPECT_EQ(this->CountLabels("out.vtu").size(), 3u);
+}
+
+TEST_F(CommandLineOutput, QuietIsQuiet) { EXPECT_EQ(this->Mesh({ "--quiet" }).output, ""); }
+
+TEST_F(CommandLineOutput, StagesAndSummaryArePlainLines)
+{
+  const auto result = this->Mesh();
+  EXPECT_NE(result.output.find("sizing ... "), std::string::npos);
+  EXPECT_NE(result.output.find(" tetrahedra"), std::string::npos);
+  EXPECT_EQ(result.output.find('\r'), std::string::npos);
+}
+
+TEST_F(CommandLineOutput, ReportHasTheCountsOfTheFiles)
+{
+  this->Mesh({ "--report", this->Path("report.json"), "--surface", this->Path("surface.vtu") });
+  const auto report = this->Report();
+  const auto mesh = this->ReadMesh<itk::LabelTetrahedralMesh>("out.vtu");
+  const auto surface = this->ReadMesh<itk::LabelInterfaceMesh>("surface.vtu");
+  EXPECT_EQ(report["counts"]["tetrahedra"], mesh->GetNumberOfCells());
+  EXPECT_EQ(report["counts"]["points"], mesh->GetNumberOfPoints());
+  EXPECT_EQ(report["counts"]["triangles"], surface->GetNumberOfCells());
+  EXPECT_EQ(report["counts"]["surface_points"], surface->GetNumberOfPoints());
+  EXPECT_EQ(report["quality"]["overall"]["tetrahedra"], mesh->GetNumberOfCells());
+  const auto counts = this->CountLabels("out.vtu");
+  ASSERT_EQ(report["quality"]["labels"].size(), counts.size());
+  for (const auto & label : report["quality"]["labels"])
+  {
+    EXPECT_EQ(label["tetrahedra"], counts.at(label["label"]));
+  }
+}
+
+TEST_F(CommandLineOutput, ReportTellsInputAndParameters)
+{
+  const auto image = MakeBalls();
+  image->SetSpacing(itk::Vector<double, 3>(std::array<double, 3>{ { 2.0, 2.5, 3.0 } }.data()));
+  const auto labels = this->WriteImage<LabelImage>(image, "coarse.nrrd");
+  const auto result = Run({ labels,
+                            this->Path("out.vtu"),
+                            "--report",
+                            this->Path("report.json"),
+                            "--exterior",
+                            "0,9",
+                            "--max-size",
+                            "12",
+                            "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  const auto report = this->Report();
+  EXPECT_EQ(report["input"]["file"], labels);
+  EXPECT_EQ(report["input"]["size"], (nlohmann::json{ 16, 16, 16 }));
+  EXPECT_EQ(report["input"]["spacing_mm"], (nlohmann::json{ 2.0, 2.5, 3.0 }));
+  ASSERT_EQ(report["input"]["labels"].size(), 3u);
+  EXPECT_EQ(report["input"]["labels"][2]["label"], 5);
+  EXPECT_EQ(report["parameters"]["radius_mm"], 1.0);
+  EXPECT_EQ(report["parameters"]["tolerance_mm"], 0.2);
+  EXPECT_EQ(report["parameters"]["min_size_mm"], 2.0);
+  EXPECT_EQ(report["parameters"]["max_size_mm"], 12.0);
+  EXPECT_EQ(report["parameters"]["exterior"], (nlohmann::json{ 0, 9 }));
+  EXPECT_EQ(report["exterior_labels_absent"], nlohmann::json{ 9 });
+}
+
+TEST_F(CommandLineOutput, ReportHasTimeAndMemoryPerStage)
+{
+  this->Mesh({ "--report", this->Path("report.json") });
+  const auto stages = this->Report()["stages"];
+  EXPECT_GT(stages.size(), 5u);
+  for (const auto & stage : stages)
+  {
+    EXPECT_FALSE(std::string(stage["name"]).empty());
+    EXPECT_GE(double(stage["seconds"]), 0.0);
+  }
+  EXPECT_EQ(stages.front()["name"], "reading");
+  EXPECT_EQ(stages.back()["name"], "writing");
+}
+
+TEST_F(CommandLineOutput, ReportTellsOfMergedIslands)
+{
+  const auto image = MakeBalls();
+  image->SetPixel({ { 7, 7, 2 } }, 5);
+  const auto labels = this->WriteImage<LabelImage>(image, "speckled.nrrd");
+  const auto report = this->Path("report.json");
+  EXPECT_EQ(Run({ labels, this->Path("out.vtu"), "--report", report, "--quiet" }).exitCode, 0);
+  const auto islands = this->Report()["islands_merged"];
+  ASSERT_EQ(islands.size(), 1u);
+  EXPECT_EQ(islands[0]["label"], 5);
+  EXPECT_EQ(islands[0]["voxels"], 1);
+  EXPECT_EQ(islands[0]["went_to"][0]["label"], 2);
+
+  EXPECT_EQ(Run({ labels, this->Path("out.vtu"), "--report", report, "--quiet", "--min-island", "0" }).exitCode, 0);
+  EXPECT_TRUE(this->Report()["islands_merged"].empty());
+}
+
+TEST_F(CommandLineOutput, SurfaceOnly)
+{
+  this->Mesh({ "--surface-only", "--report", this->Path("report.json") });
+  const auto surface = this->ReadMesh<itk::LabelInterfaceMesh>("out.vtu");
+  EXPECT_GT(surface->GetNumberOfCells(), 100u);
+  const auto report = this->Report();
+  EXPECT_EQ(report["counts"]["triangles"], surface->GetNumberOfCells());
+  EXPECT_EQ(report["counts"]["tetrahedra"], 0);
+}
+
+TEST_F(CommandLineOutput, SurfaceIsThatOfTheTetrahedra)
+{
+  this->Mesh({ "--surface", this->Path("surface.vtu") });
+  std::set<std::pair<int, int>> pairs;
+  const auto                    surface = this->ReadMesh<itk::LabelInterfaceMesh>("surface.vtu");
+  for (const auto & labels : surface->GetCellData()->CastToSTLConstContainer())
+  {
+    pairs.insert({ labels[0], labels[1] });
+  }
+  EXPECT_EQ(pairs, (std::set<std::pair<int, int>>{ { 0, 2 }, { 2, 5 } }));
+}
+
+TEST_F(CommandLineOutput, Particles)
+{
+  this->Mesh({ "--particles", this->Path("particles.vtu"), "--report", this->Path("report.json") });
+  const auto counts = this->Report()["counts"];
+  const int  expected =
+    int(counts["particles_on_0_cells"]) + int(counts["particles_on_1_cells"]) + int(counts["particles_on_2_cells"]);
+  const auto particles = this->ReadMesh<itk::LabelParticleMesh>(
+    "particles.vtu", { "dimension", "label_a", "label_b", "label_c", "label_d" });
+  ASSERT_EQ(particles->GetNumberOfPoints(), std::size_t(expected));
+  for (const auto & particle : particles->GetPointData()->CastToSTLConstContainer())
+  {
+    EXPECT_EQ(particle[0], 2);
+    EXPECT_TRUE((particle[1] == 0 && particle[2] == 2) || (particle[1] == 2 && particle[2] == 5));
+  }
+}
+
+TEST_F(CommandLineOutput, Indicators)
+{
+  this->Mesh({ "--save-indicators", this->Path("f") });
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "f0.nrrd", "f2.nrrd", "f5.nrrd", "labels.nrrd", "out.vtu" }));
+  const auto    indicator = itk::ReadImage<FloatImage>(this->Path("f5.nrrd"));
+  itk::Index<3> index;
+  ASSERT_TRUE(indicator->TransformPhysicalPointToIndex(itk::Point<double, 3>(7.0), index));
+  EXPECT_GT(indicator->GetPixel(index), 1.0f);
+}
+
+TEST_F(CommandLineOutput, SizingCanBeSavedAndReused)
+{
+  for (const char * const name : { "size.nrrd", "size.nii.gz", "size.mha" })
+  {
+    this->Mesh({ "--save-sizing", this->Path(name) });
+    const auto sizing = itk::ReadImage<FloatImage>(this->Path(name));
+    EXPECT_EQ(sizing->GetLargestPossibleRegion().GetSize(), (itk::Size<3>{ { 16, 16, 16 } }));
+    this->Mesh({ "--sizing-image", this->Path(name) });
+  }
+}
+
+TEST_F(CommandLineOutput, SizingImageIsNotExceeded)
+{
+  this->Mesh({ "--max-size", "4" });
+  const auto coarse = this->ReadMesh<itk::LabelTetrahedralMesh>("out.vtu")->GetNumberOfCells();
+  const auto image = MakeImage<float>(itk::Size<3>{ { 16, 16, 16 } });
+  image->FillBuffer(1.0f);
+  this->Mesh({ "--sizing-image", this->WriteImage<FloatImage>(image, "size.nrrd") });
+  EXPECT_GT(this->ReadMesh<itk::LabelTetrahedralMesh>("out.vtu")->GetNumberOfCells(), 2 * coarse);
+}
+
+TEST_F(CommandLineOutput, ThreadsDoNotMatter)
+{
+  this->Mesh({ "--threads", "1" });
+  const auto one = this->Contents("out.vtu");
+  this->Mesh({ "--threads", "3" });
+  EXPECT_TRUE(this->Contents("out.vtu") == one);
+}
+
+TEST_F(CommandLineOutput, SeedMatters)
+{
+  this->Mesh({ "--seed", "1" });
+  const auto first = this->Contents("out.vtu");
+  this->Mesh({ "--seed", "2" });
+  EXPECT_FALSE(this->Contents("out.vtu") == first);
+}
+
+TEST_F(CommandLineOutput, RotatedImageGivesTheRotatedMesh)
+{
+  this->Mesh();
+  const auto straight = this->ReadMesh<itk::LabelTetrahedralMesh>("out.vtu");
+
+  const auto                image = MakeBalls();
+  LabelImage::DirectionType direction;
+  const double              c = std::cos(0.5);
+  const double              s = std::sin(0.5);
+  const double              values[3][3] = { { c, -s, 0.0 }, { s, c, 0.0 }, { 0.0, 0.0, -1.0 } };
+  std::copy_n(&values[0][0], 9, direction.GetVnlMatrix().data_block());
+  image->SetDirection(direction);
+  image->SetOrigin(itk::Point<double, 3>(std::array<double, 3>{ { 10.0, -20.0, 30.0 } }.data()));
+  const auto result = Run({ this->WriteImage<LabelImage>(image, "rotated.nrrd"), this->Path("rotated.vtu") });
+  EXPECT_EQ(result.error, "");
+  const auto rotated = this->ReadMesh<itk::LabelTetrahedralMesh>("rotated.vtu");
+
+  ASSERT_EQ(rotated->GetNumberOfPoints(), straight->GetNumberOfPoints());
+  EXPECT_EQ(rotated->GetNumberOfCells(), straight->GetNumberOfCells());
+  for (unsigned int p = 0; p < straight->GetNumberOfPoints(); ++p)
+  {
+    const auto expected =
+      direction * straight->GetPoint(p).GetVectorFromOrigin() + image->GetOrigin().GetVectorFromOrigin();
+    EXPECT_LT((rotated->GetPoint(p).GetVectorFromOrigin() - expected).GetNorm(), 1e-9);
+  }
+}

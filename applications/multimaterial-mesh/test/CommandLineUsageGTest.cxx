@@ -1,0 +1,168 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+// What the program says of command lines that it does not understand, and of outputs that it cannot write.
+#include "CommandLineTest.h"
+
+#include "OptionTable.h"
+
+#include <fstream>
+
+namespace
+{
+class CommandLineUsage : public CommandLine
+{
+public:
+  void
+  ExpectUsageError(std::vector<std::string> options, const std::string & message) const
+  {
+    options.insert(options.begin(), { this->WriteBalls(), this->Path("out.vtu") });
+    this->ExpectError(options, 2, message);
+  }
+};
+} // namespace
+
+TEST_F(CommandLineUsage, NoArguments) { this->ExpectError({}, 2, "LABELS is required; --help lists the options"); }
+
+TEST_F(CommandLineUsage, UnknownOption) { this->ExpectUsageError({ "--smooth" }, "--smooth"); }
+
+TEST_F(CommandLineUsage, NegativeSize)
+{
+  this->ExpectUsageError({ "--min-size", "-1" }, "--min-size is '-1'; it has to be a number above 0 (mm)");
+}
+
+TEST_F(CommandLineUsage, NumbersOutOfRange)
+{
+  this->ExpectUsageError({ "--radius", "-0.5" }, "--radius");
+  this->ExpectUsageError({ "--epsilon", "0" }, "--epsilon");
+  this->ExpectUsageError({ "--tolerance", "0" }, "--tolerance");
+  this->ExpectUsageError({ "--gradient-limit", "0" }, "--gradient-limit");
+  this->ExpectUsageError({ "--max-size", "nan" }, "--max-size");
+  this->ExpectUsageError({ "--min-island", "-8" }, "--min-island");
+  this->ExpectUsageError({ "--min-island", "2.5" }, "--min-island");
+  this->ExpectUsageError({ "--threads", "0" }, "--threads");
+  this->ExpectUsageError({ "--seed", "-1" }, "--seed");
+  this->ExpectUsageError({ "--seed", "99999999999999999999" }, "--seed");
+}
+
+TEST_F(CommandLineUsage, TextForNumber)
+{
+  this->ExpectUsageError({ "--radius", "half" }, "--radius is 'half'; it has to be a number of at least 0 (mm)");
+  this->ExpectUsageError({ "--radius", "0,5" }, "--radius is '0,5'");
+}
+
+TEST_F(CommandLineUsage, MinimumAboveMaximum)
+{
+  this->ExpectUsageError({ "--min-size", "2", "--max-size", "1" }, "--min-size is 2 mm, but --max-size is only 1 mm");
+}
+
+TEST_F(CommandLineUsage, ExteriorIsNoList)
+{
+  for (const char * const list : { "0,", "x", "0;1", "1,none", "1.5" })
+  {
+    this->ExpectUsageError({ "--exterior", list }, "--exterior");
+  }
+}
+
+TEST_F(CommandLineUsage, OutputOfAnotherFormat)
+{
+  const auto labels = this->WriteBalls();
+  this->ExpectError({ labels, this->Path("out.vtk") }, 2, "meshes are written as .vtu");
+  this->ExpectUsageError({ "--surface", this->Path("surface.stl") }, "meshes are written as .vtu");
+  this->ExpectUsageError({ "--save-sizing", this->Path("size.png") }, "images are written as .nrrd");
+}
+
+TEST_F(CommandLineUsage, OneFileForTwoPurposes)
+{
+  this->ExpectUsageError({ "--surface", this->Path("./out.vtu") }, "are the same file");
+  this->ExpectUsageError({ "--save-sizing", this->Path("labels.nrrd") }, "are the same file");
+}
+
+TEST_F(CommandLineUsage, SurfaceTwice)
+{
+  this->ExpectUsageError({ "--surface-only", "--surface", this->Path("surface.vtu") }, "leave out --surface");
+}
+
+TEST_F(CommandLineUsage, NoOutputFolder)
+{
+  const auto labels = this->WriteBalls();
+  this->ExpectError({ labels, this->Path("missing/out.vtu") }, 1, "does not exist; create it first");
+  this->ExpectError({ labels, this->Path("out.vtu"), "--report", this->Path("missing/report.json") },
+                    1,
+                    "missing/report.json: the folder");
+  this->ExpectError({ labels, this->Path("out.vtu"), "--save-indicators", this->Path("missing/f") }, 1, "the folder");
+}
+
+TEST_F(CommandLineUsage, OutputIsAFolder)
+{
+  const auto labels = this->WriteBalls();
+  std::filesystem::create_directory(this->Path("out.vtu"));
+  this->ExpectError({ labels, this->Path("out.vtu") }, 1, "out.vtu: it is a folder");
+}
+
+#ifndef _WIN32
+TEST_F(CommandLineUsage, OutputIsADevice)
+{
+  const auto labels = this->WriteBalls();
+  this->ExpectError({ labels, this->Path("out.vtu"), "--report", "/dev/null" }, 1, "it is not an ordinary file");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+#endif
+
+TEST_F(CommandLineUsage, HelpListsAllOptionsWithUnits)
+{
+  for (const char * const option : { "--help", "-h" })
+  {
+    const auto result = Run({ option });
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.error, "");
+    for (const auto & entry : cli::OptionTable())
+    {
+      EXPECT_NE(result.output.find(entry.IsPositional() ? entry.name : "--" + entry.name), std::string::npos)
+        << entry.name;
+      EXPECT_NE(result.output.find(entry.unit), std::string::npos) << entry.name;
+    }
+  }
+}
+
+TEST_F(CommandLineUsage, HelpComesBeforeErrors)
+{
+  const auto result = Run({ "--radius", "-1", "--help" });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.error, "");
+}
+
+TEST_F(CommandLineUsage, ReadmeListsAllOptions)
+{
+  std::ifstream     stream(README_FILE);
+  const std::string readme{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  for (const auto & entry : cli::OptionTable())
+  {
+    if (!entry.IsPositional())
+    {
+      EXPECT_NE(readme.find("`--" + entry.name), std::string::npos) << entry.name;
+    }
+  }
+}
+
+TEST_F(CommandLineUsage, Version)
+{
+  const auto result = Run({ "--version" });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.output.rfind("multimaterial-mesh ", 0), 0u) << result.output;
+  EXPECT_EQ(result.error, "");
+}

@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered.
+#include <tetgen.h>
+
+#include <dlfcn.h>
+
+#include <cstring>
+
+void
+tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin, tetgenio * bgmin)
+{
+  if (std::strchr(switches, 'p') != nullptr)
+  {
+    throw 3;
+  }
+  using Function = void (*)(char *, tetgenio *, tetgenio *, tetgenio *, tetgenio *);
+  // The mangled name of this function.
+  const auto next = reinterpret_cast<Function>(dlsym(RTLD_NEXT, "_Z14tetrahedralizePcP8tetgenioS1_S1_S1_"));
+  next(switches, in, out, addin, bgmin);
+}

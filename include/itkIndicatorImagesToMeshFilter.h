@@ -1,0 +1,221 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkIndicatorImagesToMeshFilter_h
+#define itkIndicatorImagesToMeshFilter_h
+
+#include "itkMultiMaterialMeshTypes.h"
+#include "mmmFilterMonitor.h"
+#include "mmmGridGeometry.h"
+#include "mmmITKCompatibility.h"
+#include "mmmMesher.h"
+
+#include "itkConceptChecking.h"
+#include "itkImage.h"
+#include "itkImageToMeshFilter.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+/** \class IndicatorImagesToMeshFilter
+ * \brief Makes conforming meshes of the materials that indicator images describe: tetrahedra and the surfaces between.
+ *
+ * The method is that of "Multimaterial Meshing of MRI Head Data for Bioelectric Field Simulations". The material at a
+ * point is the one with the largest indicator. Particles on the interfaces (where two indicators are the largest), on
+ * their junctions (three) and corners (four) move apart until their distance is what the sizing image asks for. A
+ * Delaunay tetrahedralization of them, labelled by the indicators, gives the interfaces. Particles in the interior
+ * follow, and TetGen tetrahedralizes all, with the interfaces as constraints.
+ *
+ * Inputs, by number: one indicator image per material, as LabelImageToIndicatorImagesFilter makes them, in mm, and the
+ * input "SizingImage", which is required: edge lengths in mm, all positive, as IndicatorImagesToSizingImageFilter makes
+ * it. All have the same origin, spacing and direction; the sizing image covers the largest possible regions of the
+ * others, which may differ. Where an image ends its indicator is -3 times the smallest voxel spacing.
+ *
+ * Outputs, in ITK's physical space:
+ * - 0, GetOutput(): tetrahedra of positive volume, the label as cell data; empty if SurfaceOnly.
+ * - 1, GetSurface(): triangles between different labels, the two labels as cell data, the lower one first. The normal
+ *   points from the first to the second.
+ * - 2, GetParticles(): the points of the surface, with the dimension of the cell that each lies on and the labels that
+ *   meet there as point data.
+ *
+ * Points of the surface are the first ones of the tetrahedra, in the same order. The image's box cuts the materials
+ * flat, with sharp edges; what is beyond counts as outside, like the exterior material.
+ *
+ * Update() throws an ExceptionObject if an input is missing, does not fit the others or is not positive where it must
+ * be, if labels are missing or not distinct, and with TetGen's own words if TetGen fails; then GetSurface() and
+ * GetParticles() hold what was to be filled. It throws ProcessAborted if the filter is told to abort.
+ *
+ * The result depends neither on the number of threads nor on origin and direction of the images, to which the points are
+ * transformed at the end.
+ *
+ * \tparam TIndicatorImage a three-dimensional image of `float`
+ * \tparam TOutputMesh a mesh of three-dimensional points whose cell data is a number
+ *
+ * \sa LabelImageToTetrahedralMeshFilter
+ * \ingroup MultiMaterialMeshing
+ */
+template <typename TIndicatorImage, typename TOutputMesh = LabelTetrahedralMesh>
+class ITK_TEMPLATE_EXPORT IndicatorImagesToMeshFilter : public ImageToMeshFilter<TIndicatorImage, TOutputMesh>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(IndicatorImagesToMeshFilter);
+
+  using Self = IndicatorImagesToMeshFilter;
+  using Superclass = ImageToMeshFilter<TIndicatorImage, TOutputMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  using IndicatorImageType = TIndicatorImage;
+  using SizingImageType = Image<float, 3>;
+  using ReferenceImageType = ImageBase<3>;
+  using OutputMeshType = TOutputMesh;
+  using SurfaceMeshType = LabelInterfaceMesh;
+  using ParticleMeshType = LabelParticleMesh;
+  using LabelType = int;
+  using LabelsType = std::vector<LabelType>;
+  using StageRecordsType = std::vector<mmm::StageRecord>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(IndicatorImagesToMeshFilter);
+
+  itkConceptMacro(ThreeDimensionsCheck, (Concept::SameDimension<TIndicatorImage::ImageDimension, 3>));
+  itkConceptMacro(PointDimensionCheck, (Concept::SameDimension<TOutputMesh::PointDimension, 3>));
+  itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
+  itkConceptMacro(LabelConvertibleCheck, (Concept::Convertible<LabelType, typename TOutputMesh::CellPixelType>));
+
+  /** The label of each indicator image, by number. They must be distinct. No default. */
+  virtual void
+  SetLabels(const LabelsType & labels);
+  itkGetConstReferenceMacro(Labels, LabelsType);
+
+  /** The number of the input that is not meshed, or -1 if there is none. Default: -1. */
+  itkSetMacro(ExteriorIndex, int);
+  itkGetConstMacro(ExteriorIndex, int);
+
+  /** The label of the outside where no input is exterior. If it is the label of an input, 0 is taken instead and, if that
+   * is one, too, the smallest label minus 1; see GetUsedOutsideLabel(). Default: 0. */
+  itkSetMacro(OutsideLabel, LabelType);
+  itkGetConstMacro(OutsideLabel, LabelType);
+
+  /** The particles' order of insertion. Another seed gives another mesh of the same kind. Default: 1. */
+  itkSetMacro(Seed, std::uint64_t);
+  itkGetConstMacro(Seed, std::uint64_t);
+
+  /** Stop after the surface. Default: false. */
+  itkSetMacro(SurfaceOnly, bool);
+  itkGetConstMacro(SurfaceOnly, bool);
+  itkBooleanMacro(SurfaceOnly);
+
+  /** The input "SizingImage". */
+  void
+  SetSizingImage(const SizingImageType * image);
+  const SizingImageType *
+  GetSizingImage() const;
+
+  /** An image of as many voxels as the sizing image whose origin, spacing, direction and index give the place of the
+   * outputs, instead of those of the inputs. Default: none. */
+  itkSetConstObjectMacro(ReferenceImage, ReferenceImageType);
+  itkGetConstObjectMacro(ReferenceImage, ReferenceImageType);
+
+  SurfaceMeshType *
+  GetSurface();
+  ParticleMeshType *
+  GetParticles();
+
+  /** The label that the outside has in the outputs, known after Update(). */
+  itkGetConstMacro(UsedOutsideLabel, LabelType);
+
+  /** Counts of the particles and how their relaxation went, known after Update(). */
+  itkGetConstReferenceMacro(Report, mmm::MeshingReport);
+
+  /** The stages that ended, in their order. */
+  const StageRecordsType &
+  GetStageRecords() const
+  {
+    return m_StageLog.records;
+  }
+
+  /** The stage that is running or ran last, and how much of it is done, in [0, 1]; for observers of ProgressEvent. */
+  const std::string &
+  GetCurrentStage() const
+  {
+    return m_StageLog.current;
+  }
+  float
+  GetStageProgress() const
+  {
+    return m_StageLog.progress;
+  }
+
+  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(). */
+  using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
+  using Superclass::MakeOutput;
+  DataObject::Pointer
+  MakeOutput(DataObjectPointerArraySizeType index) override;
+
+protected:
+  IndicatorImagesToMeshFilter();
+  ~IndicatorImagesToMeshFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() const override;
+
+  void
+  VerifyInputInformation() const override;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  GenerateOutputRequestedRegion(DataObject * output) override;
+
+  void
+  GenerateData() override;
+
+private:
+  std::vector<const TIndicatorImage *>
+  GetIndicatorImages() const;
+
+  void
+  FillSurfaceAndParticles(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
+
+  void
+  FillTetrahedra(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
+
+  LabelsType                                m_Labels;
+  int                                       m_ExteriorIndex{ -1 };
+  LabelType                                 m_OutsideLabel{ 0 };
+  std::uint64_t                             m_Seed{ 1 };
+  bool                                      m_SurfaceOnly{ false };
+  typename ReferenceImageType::ConstPointer m_ReferenceImage;
+  LabelType                                 m_UsedOutsideLabel{ 0 };
+  mmm::MeshingReport                        m_Report;
+  mmm::StageLog                             m_StageLog;
+};
+} // namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkIndicatorImagesToMeshFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+#==========================================================================
+#
+#   Copyright NumFOCUS
+#
+#   Licensed under the Apache License, Version 2.0 (the "License");
+#   you may not use this file except in compliance with the License.
+#   You may obtain a copy of the License at
+#
+#          https://www.apache.org/licenses/LICENSE-2.0.txt
+#
+#   Unless required by applicable law or agreed to in writing, software
+#   distributed under the License is distributed on an "AS IS" BASIS,
+#   WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+#   See the License for the specific language governing permissions and
+#   limitations under the License.
+#
+#==========================================================================
+# Installs what is needed (Debian, Ubuntu), builds and runs all tests. BUILD_DIR is where, "build" by default.
+set -euo pipefail
+
+project=$(cd "$(dirname "$0")/.." && pwd)
+export BUILD_DIR=${BUILD_DIR:-$project/build}
+"$project/scripts/apt-install.sh" libgtest-dev
+"$project/scripts/build.sh" -DBUILD_TESTING=ON
+cd "$BUILD_DIR"
+ctest --output-on-failure --parallel "$(nproc)"
