@@ -20,6 +20,7 @@
 #include "mmmInteriorParticles.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmSurfaceLabelling.h"
+#include "mmmSurfaceRelaxation.h"
 #include "mmmTetGen.h"
 #include "mmmTetrahedronNeighbours.h"
 
@@ -33,6 +34,9 @@ namespace
 {
 const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxation of 2-cells", "relaxation of the interior" };
 
+/** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
+constexpr int SurfaceRounds = 4;
+constexpr int SurfaceSweeps = 4;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
 
@@ -225,11 +229,18 @@ BuildMesh(const IndicatorSet &      indicators,
                                 "not exterior.");
   }
   TetrahedralMesh labelled;
-  labelled.tetrahedra = DelaunayTetrahedralization(particles.positions);
-  monitor.Report(0.5);
-  labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
+  for (int round = 0; round <= SurfaceRounds; ++round)
+  {
+    labelled.tetrahedra = DelaunayTetrahedralization(particles.positions);
+    labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
+    result.interfaces = ExtractInterfaces(labelled, exterior);
+    if (round < SurfaceRounds)
+    {
+      RelaxOnSurface(indicators, sizing, result.interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
+    }
+    monitor.Report(double(round + 1) / (SurfaceRounds + 1));
+  }
   const auto seeds = PlaceRegionSeeds(particles.positions, labelled, exterior);
-  result.interfaces = ExtractInterfaces(labelled, exterior);
   report.inconsistentTriangles = CountInconsistentTriangles(indicators, particles, result.interfaces, exterior);
   report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
   for (std::size_t p = 0; p < particles.Size(); ++p)

@@ -314,6 +314,7 @@ TEST(LabelImageToTetrahedralMeshFilter, MeshesTheWholeBoxWithoutExterior)
   const auto image = mmmtest::MakeImage<LabelImage>(12, 10, 8, [](int i, int, int) { return i < 6 ? 0 : 3; });
   const auto filter = MakeFilter(image);
   filter->SetExteriorLabels({});
+  filter->SetMaximumSize(2.5);
   filter->Update();
   const auto volumes = mmmtest::VolumesOf(filter->GetOutput());
   EXPECT_NEAR(volumes.at(0) + volumes.at(3), 960.0, 1e-9);

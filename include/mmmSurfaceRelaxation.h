@@ -1,0 +1,42 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmSurfaceRelaxation_h
+#define mmmSurfaceRelaxation_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmParticles.h"
+#include "mmmTetrahedralMesh.h"
+
+namespace mmm
+{
+/** \brief Evens out the particles of 2-cells once it is known how triangles connect them.
+ *
+ * Repulsion leaves defects that only the connectivity shows. Each particle moves to the centroid of the triangles around
+ * it (Lloyd's relaxation), in its tangent plane, and is projected on its cell, `sweeps` times. Then, with `adapt`,
+ * particles are added in the middle of edges longer than 1.4 h and removed from edges shorter than 0.6 h. The triangles
+ * are out of date after that: tetrahedralize again. Returns how many particles were added and removed. */
+MultiMaterialMeshing_EXPORT std::size_t
+RelaxOnSurface(const IndicatorSet &  indicators,
+               const SizingField &   sizing,
+               const InterfaceMesh & interfaces,
+               int                   sweeps,
+               bool                  adapt,
+               ParticleSet &         particles);
+} // namespace mmm
+
+#endif
