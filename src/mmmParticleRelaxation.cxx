@@ -406,22 +406,53 @@ private:
     report.added += splitPositions.size();
   }
 
+  /** The directions in which a lonely particle looks for room, of unit length: both ways along a curve, around in a
+   * surface's tangent plane, or towards the faces and corners of a cube. */
+  std::vector<Vector>
+  LookAround(std::size_t p) const
+  {
+    const Vector &      direction = m_Directions[p];
+    std::vector<Vector> places;
+    if (m_Dimension == 1)
+    {
+      places = { direction, -direction };
+    }
+    else if (m_Dimension == 2)
+    {
+      constexpr int Count = 12;
+      const Vector  u = direction.unitOrthogonal();
+      const Vector  v = direction.cross(u);
+      for (int n = 0; n < Count; ++n)
+      {
+        const double angle = 2.0 * EIGEN_PI * n / Count;
+        places.push_back(std::cos(angle) * u + std::sin(angle) * v);
+      }
+    }
+    else
+    {
+      for (int a = 0; a < 3; ++a)
+      {
+        places.push_back(Vector::Unit(a));
+        places.push_back(-Vector::Unit(a));
+      }
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        places.push_back(Vector(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1).normalized());
+      }
+    }
+    return places;
+  }
+
   /** The place around a lonely particle that is furthest from its neighbours, at least 0.7 h from each. */
   bool
   FindFreePlace(std::size_t p, Vector & best) const
   {
-    constexpr int  Places = 12;
-    const double   h = m_Sizes[p];
-    const Vector & direction = m_Directions[p];
-    const Vector   u = m_Dimension == 1 ? direction : direction.unitOrthogonal();
-    const Vector   v = direction.cross(u);
-    double         widest = 0.7 * h;
-    bool           found = false;
-    for (int place = 0; place < (m_Dimension == 1 ? 2 : Places); ++place)
+    const double h = m_Sizes[p];
+    double       widest = 0.7 * h;
+    bool         found = false;
+    for (const Vector & direction : this->LookAround(p))
     {
-      const double angle = 2.0 * EIGEN_PI * place / Places;
-      Vector       x = m_Particles.positions[p];
-      x += m_Dimension == 1 ? Vector(u * (place ? -h : h)) : Vector(h * (std::cos(angle) * u + std::sin(angle) * v));
+      Vector x = m_Particles.positions[p] + h * direction;
       double clearance = h;
       for (auto n = m_NeighbourStart[p]; n < m_NeighbourStart[p + 1]; ++n)
       {

@@ -30,7 +30,7 @@ struct Damage
 };
 
 constexpr Damage damages[]{
-  { "<VTKFile", "<svg", "" },
+  { "<VTKFile", "<svg", "it begins with <svg>" },
   { "type=\"UnstructuredGrid\"", "type=\"PolyData\"", "PolyData" },
   { "<UnstructuredGrid>", "<!-- --><PolyData>", "mismatched tag" },
   { "<VTKFile", "<!DOCTYPE a [<!ENTITY b \"c\">]><VTKFile", "document type declaration" },

@@ -64,8 +64,8 @@ ParseNumber(const Option & option, const std::string & text)
   // Streams take a minus for unsigned numbers; they are independent of the locale, unlike strtod().
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
-  TNumber       value{};
-  const bool    isNumber = !(stream >> value).fail() && stream.eof() && !(isWhole && text.front() == '-');
+  TNumber    value{};
+  const bool isNumber = !(stream >> std::noskipws >> value).fail() && stream.eof() && !(isWhole && text.front() == '-');
   const double  number = double(value);
   const Range & range = option.range;
   if (!isNumber || number > range.maximum || number < range.minimum ||

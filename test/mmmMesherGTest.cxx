@@ -1,0 +1,225 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmMeshQuality.h"
+#include "mmmMesher.h"
+#include "mmmTestScenes.h"
+#include "mmmTetGen.h"
+
+#include "itkMacro.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using mmm::Cell;
+using mmm::Vector;
+using mmmtest::MakeBallMaterials;
+using mmmtest::MakeMaterials;
+using mmmtest::Scene;
+
+namespace
+{
+struct Built
+{
+  std::vector<float> sizes;
+  mmm::MeshingResult result;
+};
+
+Built
+Build(const Scene & scene, int exterior)
+{
+  Built                  built;
+  mmm::Monitor           monitor;
+  mmm::MeshingParameters parameters;
+  parameters.exterior = exterior;
+  built.sizes = mmm::ComputeSizing(*scene.indicators, exterior, {}, {}, monitor);
+  mmm::BuildMesh(
+    *scene.indicators, mmm::SizingField(scene.image.grid, built.sizes.data()), parameters, monitor, built.result);
+  return built;
+}
+
+std::map<mmm::Material, double>
+Volumes(const mmm::MeshingResult & result)
+{
+  std::map<mmm::Material, double> volumes;
+  for (std::size_t t = 0; t < result.tetrahedra.tetrahedra.size(); ++t)
+  {
+    const auto & c = result.tetrahedra.tetrahedra[t];
+    volumes[result.tetrahedra.materials[t]] +=
+      mmm::TetrahedronVolume(result.points[c[0]], result.points[c[1]], result.points[c[2]], result.points[c[3]]);
+  }
+  return volumes;
+}
+
+mmm::MeshQualityReport
+Quality(const mmm::MeshingResult & result)
+{
+  const std::vector<int> labels(result.tetrahedra.materials.begin(), result.tetrahedra.materials.end());
+  mmm::MeshQualityOptions options;
+  options.computeBettiNumbers = true;
+  return mmm::ComputeMeshQuality(result.points, result.tetrahedra.tetrahedra, labels, options);
+}
+
+/** A ball of two halves in a box: materials 1 and 2 meet in a disk, and both meet 0 in a circle around it. */
+Scene
+MakeHalves()
+{
+  return Scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 3, [](const Vector & x) {
+    const Vector d = x - Vector(13.2, 12.9, 13.1);
+    return d.norm() > 9.0 ? 0 : (d[2] < 0.2 ? 1 : 2);
+  }));
+}
+} // namespace
+
+TEST(Mesher, FillsABallWithoutSlivers)
+{
+  const Scene scene(MakeBallMaterials(27, Vector(13.2, 12.9, 13.1), 9.0));
+  const auto  built = Build(scene, 0);
+  const auto  quality = Quality(built.result);
+  const double exact = 4.0 / 3.0 * EIGEN_PI * 729.0;
+  // flat triangles with their corners on the sphere lie inside of it: by the chord tolerance, 0.1 voxel, at most
+  EXPECT_NEAR(Volumes(built.result).at(1), exact, 0.06 * exact);
+  EXPECT_GT(quality.tetrahedra.smallestAngle.minimum, 10.0);
+  EXPECT_LT(quality.tetrahedra.largestAngle, 165.0);
+  EXPECT_GT(quality.tetrahedra.radiusRatio.average, 0.7);
+  EXPECT_GT(quality.interfaceRadiusRatio.average, 0.89);
+  EXPECT_EQ(quality.tetrahedra.nonPositive, 0u);
+  EXPECT_EQ(quality.unusedPoints, 0u);
+}
+
+TEST(Mesher, SamplesJunctionsOfThreeMaterials)
+{
+  const Scene scene = MakeHalves();
+  const auto  built = Build(scene, 0);
+  const auto  volumes = Volumes(built.result);
+  const double exact = 4.0 / 3.0 * EIGEN_PI * 729.0;
+  EXPECT_EQ(volumes.size(), 2u);
+  EXPECT_NEAR(volumes.at(1) + volumes.at(2), exact, 0.06 * exact);
+  // 1-cell particles lie on the circle where all three meet
+  std::size_t onCurve = 0;
+  const auto & particles = built.result.particles;
+  for (std::size_t p = 0; p < particles.Size(); ++p)
+  {
+    if (particles.CellOf(p).Dimension() == 1)
+    {
+      ++onCurve;
+      const Vector d = particles.positions[p] - Vector(13.2, 12.9, 13.1);
+      EXPECT_NEAR(std::hypot(d[0], d[1]), 9.0, 0.7);
+      EXPECT_LT(scene.indicators->CellIndicator(particles.CellOf(p), particles.positions[p]), 1e-3);
+    }
+  }
+  EXPECT_GT(onCurve, 15u);
+}
+
+TEST(Mesher, ParticlesLieOnTheirCellsToAHundredthOfAVoxel)
+{
+  const Scene scene = MakeHalves();
+  const auto  built = Build(scene, 0);
+  const auto & particles = built.result.particles;
+  for (std::size_t p = 0; p < particles.Size(); ++p)
+  {
+    Vector x = particles.positions[p];
+    ASSERT_TRUE(scene.indicators->Project(particles.CellOf(p), x, 1.0));
+    EXPECT_LT((x - particles.positions[p]).norm(), 0.01);
+  }
+}
+
+TEST(Mesher, RegionsHaveTheTopologyOfTheirMaterials)
+{
+  const auto built = Build(MakeHalves(), 0);
+  const auto quality = Quality(built.result);
+  for (const auto & label : quality.labels)
+  {
+    EXPECT_EQ(label.components, 1u);
+    EXPECT_EQ(label.openEdges, 0u);
+    EXPECT_EQ(label.nonManifoldEdges, 0u);
+    EXPECT_EQ(label.betti[0], 1);
+    EXPECT_EQ(label.betti[1], 0);
+    EXPECT_EQ(label.betti[2], 0);
+  }
+}
+
+TEST(Mesher, LeavesEnclosedExteriorEmpty)
+{
+  const Scene scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 2, [](const Vector & x) {
+    const double r = (x - Vector(13.2, 12.9, 13.1)).norm();
+    return r < 10.0 && r > 5.0 ? 1 : 0;
+  }));
+  const auto   built = Build(scene, 0);
+  const auto   quality = Quality(built.result);
+  const double exact = 4.0 / 3.0 * EIGEN_PI * (1000.0 - 125.0);
+  EXPECT_NEAR(Volumes(built.result).at(1), exact, 0.03 * exact);
+  ASSERT_EQ(quality.labels.size(), 1u);
+  EXPECT_EQ(quality.labels[0].betti[2], 1);
+}
+
+TEST(Mesher, CutsAreFlatAndSharp)
+{
+  // material 1 fills half of the image and is cut by five of its faces
+  const Scene  scene(MakeMaterials({ { 14, 14, 14 } }, Vector::Ones(), 2, [](const Vector & x) { return x[2] < 6.8; }));
+  const auto   built = Build(scene, 0);
+  const double volume = Volumes(built.result).at(1);
+  EXPECT_NEAR(volume, 14.0 * 14.0 * 7.0, 1.0);
+  std::size_t corners = 0;
+  for (const Vector & x : built.result.points)
+  {
+    const bool ends = (x[0] == -0.5 || x[0] == 13.5) && (x[1] == -0.5 || x[1] == 13.5);
+    corners += ends && x[2] == -0.5;
+    EXPECT_GE(x.minCoeff(), -0.5);
+    EXPECT_LE(x.maxCoeff(), 13.5);
+  }
+  EXPECT_EQ(corners, 4u);
+}
+
+TEST(Mesher, MeshesEverythingWithoutAnExterior)
+{
+  const auto built = Build(MakeHalves(), -1);
+  double     total = 0.0;
+  for (const auto & entry : Volumes(built.result))
+  {
+    total += entry.second;
+  }
+  EXPECT_NEAR(total, 27.0 * 27.0 * 27.0, 1e-6 * 27.0 * 27.0 * 27.0);
+}
+
+TEST(Mesher, GivesTheSameMeshTwice)
+{
+  const auto first = Build(MakeHalves(), 0);
+  const auto second = Build(MakeHalves(), 0);
+  EXPECT_EQ(first.result.tetrahedra.tetrahedra, second.result.tetrahedra.tetrahedra);
+  EXPECT_EQ(first.result.points, second.result.points);
+}
+
+TEST(TetGen, PassesOnItsWordsAboutIntersectingFacets)
+{
+  // two tetrahedra that pierce each other
+  std::vector<Vector> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 },
+                              { 1, 1, 1 }, { 5, 1, 1 }, { 1, 5, 1 }, { 1, 1, -3 } };
+  const std::vector<mmm::Triangle> facets{ { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 2, 3 } }, { { 1, 2, 3 } },
+                                           { { 4, 5, 6 } }, { { 4, 5, 7 } }, { { 4, 6, 7 } }, { { 5, 6, 7 } } };
+  try
+  {
+    mmm::TetrahedralizeRegions(points, facets, { { Vector(0.5, 0.5, 0.5), 0 } }, 9);
+    FAIL() << "no exception";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("TetGen"), std::string::npos);
+    EXPECT_NE(std::string(error.GetDescription()).find("8 facets"), std::string::npos);
+  }
+}
