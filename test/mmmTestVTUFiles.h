@@ -193,6 +193,22 @@ Read(const std::string & name, itk::VTUMeshIO * io = nullptr)
   return reader->GetOutput();
 }
 
+/** The cell pixels of a file, component by component; nothing if they are not of that type. */
+template <typename T>
+std::vector<T>
+ReadCellPixels(const std::string & name, itk::VTUMeshIO * io)
+{
+  io->SetFileName(name);
+  io->ReadMeshInformation();
+  if (io->GetCellPixelComponentType() != itk::MeshIOBase::MapComponentType<T>::CType)
+  {
+    return {};
+  }
+  std::vector<T> pixels(io->GetNumberOfCellPixels() * io->GetNumberOfCellPixelComponents());
+  io->ReadCellData(pixels.data());
+  return pixels;
+}
+
 /** What reading says of the file, or an empty text if it is read. */
 inline std::string
 ReadingError(const std::string & name)
