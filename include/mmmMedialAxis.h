@@ -28,7 +28,8 @@ namespace mmm
  * A point belongs to the axis of the material it lies in if it has two feet, closest points of that material's
  * boundary, which lie apart and are seen under a wide angle (90 degrees). Two searches find them:
  *
- * - on the grid: neighbouring nodes at least a voxel inside, whose feet are more than 1.5 voxels apart;
+ * - on the grid: neighbouring nodes at least a voxel inside, whose feet are more than 1.5 voxels apart (under 120
+ *   degrees for neighbours across a diagonal);
  * - along the normals, where a layer is thinner than 3 voxels: from each interface sample across the material to the
  *   interface on the other side; the axis point lies halfway.
  *

@@ -67,10 +67,11 @@ ReasonOf(const std::exception & error)
   return dynamic_cast<const std::bad_alloc *>(&error) ? "not enough memory" : error.what();
 }
 
+/** No data, that is no components, counts as a scalar, as ITK has it. */
 IOPixelEnum
 PixelTypeOf(std::size_t numberOfComponents)
 {
-  return numberOfComponents == 1 ? IOPixelEnum::SCALAR : IOPixelEnum::FIXEDARRAY;
+  return numberOfComponents <= 1 ? IOPixelEnum::SCALAR : IOPixelEnum::FIXEDARRAY;
 }
 
 /** The names if there is one per component. */

@@ -33,6 +33,17 @@ constexpr double ProbeStep = 0.3;
 constexpr double LeastDepth = 1.0;
 constexpr double LeastSeparation = 1.5;
 
+/** The nodes that a node's feet are compared with. Around an isolated axis point, such as a ball's centre, only
+ * neighbours across a diagonal see their feet on opposite sides; they lie further apart and have to differ by more. */
+struct NeighbourStep
+{
+  int    offset[3];
+  double largestCosine;
+};
+constexpr NeighbourStep NeighbourSteps[] = { { { 1, 0, 0 }, 0.0 },   { { 0, 1, 0 }, 0.0 },   { { 0, 0, 1 }, 0.0 },
+                                             { { 1, 1, 1 }, -0.5 },  { { 1, 1, -1 }, -0.5 }, { { 1, -1, 1 }, -0.5 },
+                                             { { 1, -1, -1 }, -0.5 } };
+
 /** Where three materials meet: per brick of the grid the triples of a junction within JunctionReach of it. */
 class JunctionTable
 {
@@ -278,10 +289,10 @@ CompareFeet(const IndicatorSet &                 indicators,
           }
           const Vector            x = grid.Position(at);
           const InterfaceSample & p = samples[feet.sources[n]];
-          for (int a = 0; a < 3; ++a)
+          for (const auto & step : NeighbourSteps)
           {
-            Index after = at;
-            if (++after[a] >= grid.size[a])
+            const Index after{ { i + step.offset[0], j + step.offset[1], k + step.offset[2] } };
+            if (!grid.Contains(after))
             {
               continue;
             }
@@ -293,8 +304,10 @@ CompareFeet(const IndicatorSet &                 indicators,
             }
             const Vector            y = grid.Position(after);
             const InterfaceSample & q = samples[feet.sources[m]];
+            const Vector toP = p.position - x;
+            const Vector toQ = q.position - y;
             if ((p.position - q.position).squaredNorm() < LeastSeparation * LeastSeparation ||
-                (p.position - x).dot(q.position - y) > 0.0)
+                toP.dot(toQ) > step.largestCosine * toP.norm() * toQ.norm())
             {
               continue;
             }

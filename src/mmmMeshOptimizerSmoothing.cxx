@@ -29,7 +29,7 @@ namespace
 {
 constexpr std::size_t Grain = 512;
 /** A triangle of an interface may become this bad for the sake of a tetrahedron, but not worse. */
-constexpr double TriangleFloor = 0.4;
+constexpr double TriangleFloor = 0.7;
 constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
@@ -330,7 +330,8 @@ bool
 PointSmoother::MoveUphill(PointId p, double quality)
 {
   std::array<std::pair<double, std::uint32_t>, 3> poorest;
-  poorest.fill({ 2.0, 0 });
+  constexpr double None = 2.0; // a point of an outer corner may have fewer than three tetrahedra
+  poorest.fill({ None, 0 });
   for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
   {
     const auto & t = m_Tetrahedra[m_Star[s]];
@@ -349,6 +350,10 @@ PointSmoother::MoveUphill(PointId p, double quality)
   bool moved = false;
   for (const auto & entry : poorest)
   {
+    if (entry.first >= None)
+    {
+      break;
+    }
     const Vector direction = this->IdealPlace(p, m_Tetrahedra[entry.second]) - m_Points[p];
     for (const double share : { 0.5, 0.2, 0.05 })
     {

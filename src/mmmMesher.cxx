@@ -35,7 +35,7 @@ namespace
 const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxation of 2-cells", "relaxation of the interior" };
 
 /** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
-constexpr int SurfaceRounds = 4;
+constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 4;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
