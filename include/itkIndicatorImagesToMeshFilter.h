@@ -62,8 +62,8 @@ namespace itk
  * be, if labels are missing or not distinct, and with TetGen's own words if TetGen fails; then GetSurface() and
  * GetParticles() hold what was to be filled. It throws ProcessAborted if the filter is told to abort.
  *
- * The result depends neither on the number of threads nor on origin and direction of the images, to which the points are
- * transformed at the end.
+ * The result depends neither on the number of threads nor on origin and direction of the images, to which the points
+ * are transformed at the end.
  *
  * \tparam TIndicatorImage a three-dimensional image of `float`
  * \tparam TOutputMesh a mesh of three-dimensional points whose cell data is a number
@@ -109,8 +109,8 @@ public:
   itkSetMacro(ExteriorIndex, int);
   itkGetConstMacro(ExteriorIndex, int);
 
-  /** The label of the outside where no input is exterior. If it is the label of an input, 0 is taken instead and, if that
-   * is one, too, the smallest label minus 1; see GetUsedOutsideLabel(). Default: 0. */
+  /** The label of the outside where no input is exterior. If it is the label of an input, 0 is taken instead and, if
+   * that is one, too, the smallest label minus 1; see GetUsedOutsideLabel(). Default: 0. */
   itkSetMacro(OutsideLabel, LabelType);
   itkGetConstMacro(OutsideLabel, LabelType);
 

@@ -129,7 +129,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPreconditions()
   {
     itkExceptionMacro("There are " << m_Labels.size() << " labels for " << images.size() << " indicator images.");
   }
-  auto       sorted = m_Labels;
+  auto sorted = m_Labels;
   std::sort(sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end())
@@ -222,12 +222,12 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
   m_Report = mmm::MeshingReport();
   monitor.BeginStage("preparation");
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
-  const auto                                  sizes = mmm::ReadSizingImage(this->GetSizingImage(), images.GetGeometry());
-  const mmm::IndicatorSet                     indicators = images.MakeIndicatorSet();
-  const mmm::SizingField                      sizing(indicators.GetGrid(), sizes.data());
-  const mmm::GridGeometry                     outputGeometry =
+  const auto              sizes = mmm::ReadSizingImage(this->GetSizingImage(), images.GetGeometry());
+  const mmm::IndicatorSet indicators = images.MakeIndicatorSet();
+  const mmm::SizingField  sizing(indicators.GetGrid(), sizes.data());
+  const mmm::GridGeometry outputGeometry =
     m_ReferenceImage ? mmm::GridGeometry(m_ReferenceImage, m_ReferenceImage->GetLargestPossibleRegion())
-                                         : images.GetGeometry();
+                     : images.GetGeometry();
 
   mmm::MeshingParameters parameters;
   parameters.exterior = m_ExteriorIndex;
@@ -253,7 +253,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
 template <typename TIndicatorImage, typename TOutputMesh>
 void
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticles(const mmm::MeshingResult & result,
-                                                                                   const mmm::GridGeometry & geometry)
+                                                                                   const mmm::GridGeometry &  geometry)
 {
   const mmm::InterfaceLabels labels(m_Labels, m_ExteriorIndex, m_OutsideLabel);
   m_UsedOutsideLabel = labels.GetOutside();
@@ -278,7 +278,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticl
     {
       sideLabels.emplace_back(labels.OfSides(sides));
     }
-    mmm::SetMeshPoints(surface, geometry, points, count);
+    mmm::SetMeshPoints(surface, geometry, points, result.numberOfSurfacePoints);
     mmm::SetMeshCells<TriangleCell<SurfaceMeshType::CellType>>(surface, result.interfaces.triangles, isReversed);
     mmm::SetMeshCellData(surface, std::move(sideLabels));
   }
@@ -305,7 +305,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillTetrahedra(const 
   TOutputMesh * output = this->GetOutput();
   if (!m_SurfaceOnly)
   {
-    const bool isReflected = geometry.IsReflected();
+    const bool                                       isReflected = geometry.IsReflected();
     std::vector<typename TOutputMesh::CellPixelType> labels;
     labels.reserve(result.tetrahedra.materials.size());
     for (const auto material : result.tetrahedra.materials)

@@ -32,18 +32,18 @@ namespace itk
 /** \class IndicatorImagesToSizingImageFilter
  * \brief Computes a sizing image from indicator images: the edge length in mm that a mesh is to have at each voxel.
  *
- * At the interfaces the edge length is Epsilon times the local feature size (the distance to the nearest medial axis of a
- * label) or sqrt(8 ChordTolerance / k), where k is the largest curvature, whichever is smaller, within
- * [MinimumSize, MaximumSize]. From there it grows with distance by GradientLimit: the largest function below those values
- * whose gradient is limited (Persson 2006). Faces of the image's box count as interfaces where they cut a label that is
- * not exterior.
+ * At the interfaces the edge length is Epsilon times the local feature size (the distance to the nearest medial axis of
+ * a label) or sqrt(8 ChordTolerance / k), where k is the largest curvature, whichever is smaller, within [MinimumSize,
+ * MaximumSize]. From there it grows with distance by GradientLimit: the largest function below those values whose
+ * gradient is limited (Persson 2006). Faces of the image's box count as interfaces where they cut a label that is not
+ * exterior.
  *
- * Inputs, by number: one indicator image per label, as LabelImageToIndicatorImagesFilter makes them, in mm, with the same
- * origin, spacing and direction, else Update() throws an ExceptionObject. Their regions may differ: where an image ends
- * its indicator is -3 times the smallest voxel spacing. The output covers all of them.
+ * Inputs, by number: one indicator image per label, as LabelImageToIndicatorImagesFilter makes them, in mm, with the
+ * same origin, spacing and direction, else Update() throws an ExceptionObject. Their regions may differ: where an image
+ * ends its indicator is -3 times the smallest voxel spacing. The output covers all of them.
  *
- * The input "SizingImage" is optional: edge lengths in mm, on the grid of the output, all positive, which the output does
- * not exceed, be they below MinimumSize. Infinity and 1e30 mean no limit.
+ * The input "SizingImage" is optional: edge lengths in mm, on the grid of the output, all positive, which the output
+ * does not exceed, be they below MinimumSize. Infinity and 1e30 mean no limit.
  *
  * The result does not depend on the number of threads.
  *
@@ -75,15 +75,16 @@ public:
   itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
   itkConceptMacro(RealSizesCheck, (Concept::IsFloatingPoint<typename TSizingImage::PixelType>));
 
-  /** The value of a length that follows the image's smallest voxel spacing. It is not a number: test with std::isnan(). */
+  /** The value of a length that follows the image's smallest voxel spacing. It is not a number: test with std::isnan().
+   */
   static constexpr double Automatic = std::numeric_limits<double>::quiet_NaN();
 
   /** Edge length per local feature size, positive. Default: 2.5; 1.0 for a high resolution. */
   itkSetMacro(Epsilon, double);
   itkGetConstMacro(Epsilon, double);
 
-  /** The largest distance of a curved interface to the edges that stand for it, in mm, positive. Default: Automatic, 0.1
-   * of the smallest voxel spacing. */
+  /** The largest distance of a curved interface to the edges that stand for it, in mm, positive. Default: Automatic,
+   * 0.1 of the smallest voxel spacing. */
   itkSetMacro(ChordTolerance, double);
   itkGetConstMacro(ChordTolerance, double);
 
@@ -91,8 +92,8 @@ public:
   itkSetMacro(GradientLimit, double);
   itkGetConstMacro(GradientLimit, double);
 
-  /** The smallest edge length, in mm, positive. Default: Automatic, the smallest voxel spacing, or MaximumSize where that
-   * is smaller. */
+  /** The smallest edge length, in mm, positive. Default: Automatic, the smallest voxel spacing, or MaximumSize where
+   * that is smaller. */
   itkSetMacro(MinimumSize, double);
   itkGetConstMacro(MinimumSize, double);
 

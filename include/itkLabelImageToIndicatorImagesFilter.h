@@ -34,20 +34,21 @@ namespace itk
 /** \class LabelImageToIndicatorImagesFilter
  * \brief Turns a label image into one smooth indicator image per label: the signed distance of its smoothed boundary.
  *
- * An indicator is in mm (the unit of the image's spacing), positive within the label, and known up to GetBandWidth() from
- * its zero level, beyond which it is cut off. The material at a point is the one whose indicator is the largest there:
- * between the labels a and b, the interface is where their indicators are equal.
+ * An indicator is in mm (the unit of the image's spacing), positive within the label, and known up to GetBandWidth()
+ * from its zero level, beyond which it is cut off. The material at a point is the one whose indicator is the largest
+ * there: between the labels a and b, the interface is where their indicators are equal.
  *
  * The boundary, first on the faces of the voxels, is anti-aliased (Whitaker 2000: mean curvature flow that leaves every
- * voxel centre on its side) and then tightened (Williams and Rossignac 2005: within what closing by a ball of Radius adds
- * and opening takes away, it moves by mean curvature to the shortest one). At the image's border labels are continued
- * outwards.
+ * voxel centre on its side) and then tightened (Williams and Rossignac 2005: within what closing by a ball of Radius
+ * adds and opening takes away, it moves by mean curvature to the shortest one). At the image's border labels are
+ * continued outwards.
  *
- * There are as many outputs as the image has labels, in the labels' order, all with the origin, spacing and direction of
- * the input. Output n, the indicator of GetLabels()[n], covers the label's bounding box and the band around it, so its
- * largest possible region need not start at index 0; beyond it the indicator is -GetBandWidth(). With CropToBand off, all
- * outputs cover the whole image. Their number and regions follow from the input's pixels: UpdateOutputInformation()
- * therefore brings the input up to date, and outputs beyond the first exist after it (or Update()) only.
+ * There are as many outputs as the image has labels, in the labels' order, all with the origin, spacing and direction
+ * of the input. Output n, the indicator of GetLabels()[n], covers the label's bounding box and the band around it, so
+ * its largest possible region need not start at index 0; beyond it the indicator is -GetBandWidth(). With CropToBand
+ * off, all outputs cover the whole image. Their number and regions follow from the input's pixels:
+ * UpdateOutputInformation() therefore brings the input up to date, and outputs beyond the first exist after it (or
+ * Update()) only.
  *
  * Labels are whole numbers in the range of `int`. An image that has only one, or more than 65,530, gives an
  * ExceptionObject. The result does not depend on the number of threads.
@@ -84,11 +85,12 @@ public:
   itkConceptMacro(IntegerPixelsCheck, (Concept::IsInteger<typename TLabelImage::PixelType>));
   itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
 
-  /** The value of a length that follows the image's smallest voxel spacing. It is not a number: test with std::isnan(). */
+  /** The value of a length that follows the image's smallest voxel spacing. It is not a number: test with std::isnan().
+   */
   static constexpr double Automatic = std::numeric_limits<double>::quiet_NaN();
 
-  /** The radius of tightening in mm, at least 0; 0 leaves the boundary on the faces of the voxels. Default: Automatic, 0.5
-   * of the smallest voxel spacing. */
+  /** The radius of tightening in mm, at least 0; 0 leaves the boundary on the faces of the voxels. Default: Automatic,
+   * 0.5 of the smallest voxel spacing. */
   itkSetMacro(Radius, double);
   itkGetConstMacro(Radius, double);
 

@@ -91,8 +91,7 @@ LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateOutputI
   input->SetRequestedRegionToLargestPossibleRegion();
   input->Update();
   this->ReadInput();
-  m_BandWidth = mmm::IndicatorBandWidth *
-                mmm::GridGeometry(input, input->GetLargestPossibleRegion()).GetUnit();
+  m_BandWidth = mmm::IndicatorBandWidth * mmm::GridGeometry(input, input->GetLargestPossibleRegion()).GetUnit();
 
   this->SetNumberOfIndexedOutputs(m_Labels.size());
   const auto & start = input->GetLargestPossibleRegion().GetIndex();
@@ -164,8 +163,7 @@ LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateData()
   monitor.BeginStage("indicators");
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
-    const auto block =
-      mmm::ComputeSmoothIndicator(m_Materials, static_cast<mmm::Material>(n), m_Boxes[n], radius);
+    const auto block = mmm::ComputeSmoothIndicator(m_Materials, static_cast<mmm::Material>(n), m_Boxes[n], radius);
     this->FillOutput(block, geometry.GetUnit(), this->GetOutput(static_cast<unsigned int>(n)));
     monitor.Report(static_cast<double>(n + 1) / m_Labels.size());
   }

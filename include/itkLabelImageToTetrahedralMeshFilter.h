@@ -52,15 +52,15 @@ namespace itk
  *
  * Outputs, in ITK's physical space:
  * - GetOutput(): the tetrahedra; the cell data is the label of the image. Each has a positive volume.
- * - GetSurface(): the triangles between the labels; the cell data is the two labels, the lower one first. The outside of
- *   what is meshed counts as a label, see GetOutsideLabel().
+ * - GetSurface(): the triangles between the labels; the cell data is the two labels, the lower one first. The outside
+ * of what is meshed counts as a label, see GetOutsideLabel().
  * - GetParticles(): the points of the surface, with the labels that meet there.
  *
  * Where the image's border cuts a label the mesh ends at the face of the image's box, flat and with sharp edges.
  *
- * The same labels give the same mesh, transformed, whatever the image's origin, direction and unit of length: everything
- * is computed in units of the smallest voxel spacing, to which the other spacings and all lengths among the parameters
- * are related with a resolution of 1e-6. The mesh does not depend on the number of threads either, which
+ * The same labels give the same mesh, transformed, whatever the image's origin, direction and unit of length:
+ * everything is computed in units of the smallest voxel spacing, to which the other spacings and all lengths among the
+ * parameters are related with a resolution of 1e-6. The mesh does not depend on the number of threads either, which
  * MultiThreaderBase::SetGlobalDefaultNumberOfThreads() sets.
  *
  * Update() throws an ExceptionObject if the image has one value only or nothing but exterior, if a parameter is out of
@@ -117,8 +117,8 @@ public:
   SetExteriorLabels(const LabelsType & labels);
   itkGetConstReferenceMacro(ExteriorLabels, LabelsType);
 
-  /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A label's
-   * largest component always stays. 0 and 1 keep all. Default: 8. */
+  /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
+   * label's largest component always stays. 0 and 1 keep all. Default: 8. */
   itkSetMacro(MinimumIslandSize, SizeValueType);
   itkGetConstMacro(MinimumIslandSize, SizeValueType);
 
@@ -131,8 +131,8 @@ public:
   itkSetMacro(Epsilon, double);
   itkGetConstMacro(Epsilon, double);
 
-  /** The largest distance of a curved interface to the edges that stand for it, in mm, positive. Default: Automatic, 0.1
-   * of the smallest voxel spacing. */
+  /** The largest distance of a curved interface to the edges that stand for it, in mm, positive. Default: Automatic,
+   * 0.1 of the smallest voxel spacing. */
   itkSetMacro(ChordTolerance, double);
   itkGetConstMacro(ChordTolerance, double);
 
@@ -140,8 +140,8 @@ public:
   itkSetMacro(GradientLimit, double);
   itkGetConstMacro(GradientLimit, double);
 
-  /** The smallest edge length to ask for, in mm, positive. Default: Automatic, the smallest voxel spacing, or MaximumSize
-   * where that is smaller. */
+  /** The smallest edge length to ask for, in mm, positive. Default: Automatic, the smallest voxel spacing, or
+   * MaximumSize where that is smaller. */
   itkSetMacro(MinimumSize, double);
   itkGetConstMacro(MinimumSize, double);
 
@@ -180,8 +180,8 @@ public:
   /** The labels of the image that was meshed, sorted: exterior ones merged, the exterior one included. */
   itkGetConstReferenceMacro(Labels, LabelsType);
 
-  /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first of
-   * ExteriorLabels; if there is none, 0 or, if 0 is a label of the image, the smallest label minus 1. */
+  /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first
+   * of ExteriorLabels; if there is none, 0 or, if 0 is a label of the image, the smallest label minus 1. */
   itkGetConstMacro(OutsideLabel, LabelType);
 
   /** Listed exterior labels that the image lacks, in the order of the list. */
@@ -190,7 +190,8 @@ public:
   /** What was merged, for every label of the image. */
   itkGetConstReferenceMacro(IslandRecords, IslandRecordsType);
 
-  /** Labels that were to be meshed but have no tetrahedron (no triangle if SurfaceOnly), and their numbers of voxels. */
+  /** Labels that were to be meshed but have no tetrahedron (no triangle if SurfaceOnly), and their numbers of voxels.
+   */
   itkGetConstReferenceMacro(VanishedLabels, VoxelCountsType);
 
   /** Counts of the particles and how their relaxation went. */
@@ -285,7 +286,9 @@ private:
   IndicatorImagesType
   ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
   SizingImageType::Pointer
-  ComputeSizing(const IndicatorImagesType & indicators, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
+  ComputeSizing(const IndicatorImagesType & indicators,
+                const mmm::GridGeometry &   geometry,
+                mmm::FilterMonitor &        monitor);
   void
   BuildMeshes(const IndicatorImagesType & indicators, const SizingImageType * sizing, mmm::FilterMonitor & monitor);
 

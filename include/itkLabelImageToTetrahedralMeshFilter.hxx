@@ -162,10 +162,9 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyInputInformat
   }
   if (labels->GetLargestPossibleRegion() != sizes->GetLargestPossibleRegion())
   {
-    itkExceptionMacro("The sizing image has " << sizes->GetLargestPossibleRegion().GetSize()
-                                              << " voxels and the label image "
-                                              << labels->GetLargestPossibleRegion().GetSize()
-                                              << ". They must be on the same grid.");
+    itkExceptionMacro("The sizing image has "
+                      << sizes->GetLargestPossibleRegion().GetSize() << " voxels and the label image "
+                      << labels->GetLargestPossibleRegion().GetSize() << ". They must be on the same grid.");
   }
 }
 
@@ -255,13 +254,14 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
 {
   if (counts.size() < 2)
   {
-    itkExceptionMacro("The label image has a single value" << (counts.empty() ? "" : ", ")
-                                                           << (counts.empty() ? "" : std::to_string(counts.begin()->first))
-                                                           << ": there is nothing to mesh.");
+    itkExceptionMacro("The label image has a single value"
+                      << (counts.empty() ? "" : ", ") << (counts.empty() ? "" : std::to_string(counts.begin()->first))
+                      << ": there is nothing to mesh.");
   }
-  const bool isAllExterior = std::all_of(counts.begin(), counts.end(), [this](const VoxelCountsType::value_type & entry) {
-    return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), entry.first) != m_ExteriorLabels.end();
-  });
+  const bool isAllExterior =
+    std::all_of(counts.begin(), counts.end(), [this](const VoxelCountsType::value_type & entry) {
+      return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), entry.first) != m_ExteriorLabels.end();
+    });
   if (isAllExterior)
   {
     itkExceptionMacro("All labels of the image are exterior: there is nothing to mesh.");
@@ -330,7 +330,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::RestoreGeometry(Ima
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::Observe(ProcessObject * filter, mmm::FilterMonitor & monitor)
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::Observe(ProcessObject *      filter,
+                                                                     mmm::FilterMonitor & monitor)
 {
   filter->AddObserver(ProgressEvent(), [this, filter, &monitor](const EventObject &) {
     monitor.Update(filter->GetProgress());
@@ -361,7 +362,7 @@ template <typename TLabelImage, typename TOutputMesh>
 auto
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeIndicators(const TLabelImage *       labels,
                                                                                const mmm::GridGeometry & geometry,
-                                                                               mmm::FilterMonitor & monitor)
+                                                                               mmm::FilterMonitor &      monitor)
   -> IndicatorImagesType
 {
   const auto filter = LabelImageToIndicatorImagesFilter<TLabelImage, IndicatorImageType>::New();
@@ -382,7 +383,7 @@ template <typename TLabelImage, typename TOutputMesh>
 auto
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeSizing(const IndicatorImagesType & indicators,
                                                                            const mmm::GridGeometry &   geometry,
-                                                                           mmm::FilterMonitor & monitor)
+                                                                           mmm::FilterMonitor &        monitor)
   -> SizingImageType::Pointer
 {
   const auto filter = IndicatorImagesToSizingImageFilter<IndicatorImageType, SizingImageType>::New();

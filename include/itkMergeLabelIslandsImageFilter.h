@@ -36,9 +36,9 @@ namespace itk
  *
  * First, the voxels of all ExteriorLabels get the first of these labels that the image has. Then the 6-connected
  * components of fewer than MinimumIslandSize voxels go to the label that most of their voxels' faces touch, the lowest
- * label if there are several. All are decided on the image as it was before, at once. A label's largest component always
- * stays, so that no label gets lost; of components of the same size it is the first in the order of the buffer. What was
- * merged is in GetRecords().
+ * label if there are several. All are decided on the image as it was before, at once. A label's largest component
+ * always stays, so that no label gets lost; of components of the same size it is the first in the order of the buffer.
+ * What was merged is in GetRecords().
  *
  * The labels are whole numbers in the range of `int`, else Update() throws an ExceptionObject. The whole image is
  * processed at once, on one thread.

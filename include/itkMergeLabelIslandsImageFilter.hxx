@@ -98,8 +98,7 @@ MergeLabelIslandsImageFilter<TLabelImage>::GenerateData()
   {
     this->MergeSmallComponents();
   }
-  mmm::ForEachRun(this->GetOutput(),
-                  [this](int label, std::size_t count) { m_Records[label].voxelsAfter += count; });
+  mmm::ForEachRun(this->GetOutput(), [this](int label, std::size_t count) { m_Records[label].voxelsAfter += count; });
 }
 
 template <typename TLabelImage>

@@ -46,8 +46,8 @@ struct StageLog
   std::vector<StageRecord> records;
 };
 
-/** \brief Makes the core's progress that of a filter, keeps a log of the stages, and ends the work if the filter is told
- * to abort, by throwing itk::ProcessAborted.
+/** \brief Makes the core's progress that of a filter, keeps a log of the stages, and ends the work if the filter is
+ * told to abort, by throwing itk::ProcessAborted.
  *
  * A stage that is not in the plan has no share of the progress. The last stage ends with the monitor. */
 class MultiMaterialMeshing_EXPORT FilterMonitor : public Monitor

@@ -32,8 +32,8 @@ namespace mmm
 class MultiMaterialMeshing_EXPORT InterfaceLabels
 {
 public:
-  /** `exterior` is the material that is not meshed, or -1. Then the outside gets the label `wanted` or, if that is one of
-   * `labels`, 0 or, if that is, too, the one below the smallest label. */
+  /** `exterior` is the material that is not meshed, or -1. Then the outside gets the label `wanted` or, if that is one
+   * of `labels`, 0 or, if that is, too, the one below the smallest label. */
   InterfaceLabels(const std::vector<int> & labels, int exterior, int wanted);
 
   int

@@ -58,6 +58,8 @@ struct MeshingResult
   std::vector<Vector> points;
   InterfaceMesh       interfaces;
   TetrahedralMesh     tetrahedra;
+  /** How many of `points`, the first, belong to the interfaces. */
+  std::size_t numberOfSurfacePoints{ 0 };
   /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order. */
   ParticleSet   particles;
   MeshingReport report;

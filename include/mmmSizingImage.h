@@ -36,8 +36,8 @@ ReadSizingImage(const TSizingImage * image, const GridGeometry & geometry)
 {
   constexpr double largest = 1e30; // infinity would spread as not-a-number
 
-  std::vector<float>                            sizes;
-  const auto &                                  region = image->GetLargestPossibleRegion();
+  std::vector<float>                          sizes;
+  const auto &                                region = image->GetLargestPossibleRegion();
   itk::ImageRegionConstIterator<TSizingImage> it(image, region);
   sizes.reserve(region.GetNumberOfPixels());
   for (; !it.IsAtEnd(); ++it)

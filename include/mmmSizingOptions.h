@@ -27,8 +27,8 @@
 
 namespace mmm
 {
-/** \brief The parameters of the sizing field as users give them: lengths in the image's unit, usually mm, or not a number
- * where the smallest voxel spacing is to decide. */
+/** \brief The parameters of the sizing field as users give them: lengths in the image's unit, usually mm, or not a
+ * number where the smallest voxel spacing is to decide. */
 struct SizingOptions
 {
   double epsilon{ 2.5 };
@@ -42,10 +42,10 @@ struct SizingOptions
 MultiMaterialMeshing_EXPORT std::string
                             DescribeError(const SizingOptions & options);
 
-/** The options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or the largest
- * size, whichever is smaller. */
+/** The options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or the
+ * largest size, whichever is smaller. */
 MultiMaterialMeshing_EXPORT SizingParameters
-                            ToGridUnit(const SizingOptions & options, const GridGeometry & geometry);
+ToGridUnit(const SizingOptions & options, const GridGeometry & geometry);
 } // namespace mmm
 
 #endif

@@ -31,10 +31,7 @@ FilterMonitor::FilterMonitor(itk::ProcessObject * filter, StageLog & log, std::v
   m_Log = StageLog();
 }
 
-FilterMonitor::~FilterMonitor()
-{
-  this->EndStage();
-}
+FilterMonitor::~FilterMonitor() { this->EndStage(); }
 
 void
 FilterMonitor::BeginStage(const std::string & name)

@@ -28,8 +28,10 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** A triangle of an interface may become this bad for the sake of a tetrahedron, but not worse. */
-constexpr double TriangleFloor = 0.7;
+/** A triangle of an interface may become this bad for the sake of a tetrahedron, but not worse: on average the triangles
+ * are to stay good, at a bad tetrahedron it matters more. */
+constexpr double TriangleFloorOnAverage = 0.85;
+constexpr double TriangleFloorAtWorst = 0.4;
 constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
@@ -212,12 +214,14 @@ PointSmoother::MoveByColour(TMove && move)
 std::size_t
 PointSmoother::SmoothAll()
 {
+  m_TriangleFloor = TriangleFloorOnAverage;
   return this->MoveByColour([this](PointId p) { return this->MoveToAverage(p); });
 }
 
 std::size_t
 PointSmoother::SmoothWorst(double quality)
 {
+  m_TriangleFloor = TriangleFloorAtWorst;
   return this->MoveByColour([this, quality](PointId p) { return this->MoveUphill(p, quality); });
 }
 
@@ -275,7 +279,7 @@ PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
   if (m_Freedom[p] == Freedom::OnCell)
   {
     const double triangle = this->WorstTriangleAround(p, x);
-    if (triangle < TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
+    if (triangle < m_TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
     {
       return false;
     }

@@ -98,6 +98,7 @@ private:
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;
   const std::vector<Tetrahedron> & m_Tetrahedra;
+  double                           m_TriangleFloor{ 0.0 };
   std::vector<Freedom>             m_Freedom;
   std::vector<std::uint32_t>       m_StarStart;
   std::vector<std::uint32_t>       m_Star;

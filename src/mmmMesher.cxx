@@ -75,44 +75,72 @@ DropUnusedParticles(ParticleSet & particles, InterfaceMesh & interfaces)
   return dropped;
 }
 
-/** Drops the points that no tetrahedron uses, among them collapsed particles, and renumbers the tetrahedra. */
+/** Puts the points of the interfaces first, those of them that are particles before the others, and drops the points
+ * that no tetrahedron uses. Optimization may have collapsed particles and taken some off the interfaces. */
 void
-DropUnusedPoints(std::vector<Vector> & points, ParticleSet & particles, TetrahedralMesh & mesh)
+SortPoints(MeshingResult & result)
 {
-  std::vector<PointId> number(points.size(), 0);
-  for (const auto & t : mesh.tetrahedra)
+  enum Kind : std::uint8_t
+  {
+    Particle,
+    OnInterface,
+    Interior,
+    Unused
+  };
+  std::vector<std::uint8_t> kinds(result.points.size(), Unused);
+  for (const auto & t : result.tetrahedra.tetrahedra)
   {
     for (const auto corner : t)
     {
-      number[corner] = 1;
+      kinds[corner] = Interior;
     }
   }
-  PointId     kept = 0;
-  std::size_t keptParticles = 0;
-  for (std::size_t p = 0; p < points.size(); ++p)
+  ParticleSet & particles = result.particles;
+  for (const auto & triangle : result.interfaces.triangles)
   {
-    if (number[p])
+    for (const auto corner : triangle)
     {
-      if (p < particles.Size())
+      kinds[corner] = corner < particles.Size() ? Particle : OnInterface;
+    }
+  }
+  std::vector<PointId> number(result.points.size(), 0);
+  std::vector<Vector>  points;
+  ParticleSet          kept;
+  kept.cellTable = particles.cellTable;
+  points.reserve(result.points.size());
+  for (const Kind kind : { Particle, OnInterface, Interior })
+  {
+    for (std::size_t p = 0; p < kinds.size(); ++p)
+    {
+      if (kinds[p] == kind)
       {
-        particles.positions[kept] = points[p];
-        particles.cells[kept] = particles.cells[p];
-        keptParticles = kept + 1;
+        number[p] = PointId(points.size());
+        points.push_back(result.points[p]);
+        if (kind == Particle)
+        {
+          kept.positions.push_back(result.points[p]);
+          kept.cells.push_back(particles.cells[p]);
+        }
       }
-      points[kept] = points[p];
-      number[p] = kept++;
     }
-  }
-  points.resize(kept);
-  particles.positions.resize(keptParticles);
-  particles.cells.resize(keptParticles);
-  for (auto & t : mesh.tetrahedra)
-  {
-    for (auto & corner : t)
+    if (kind == OnInterface)
     {
-      corner = number[corner];
+      result.numberOfSurfacePoints = points.size();
     }
   }
+  const auto renumber = [&number](auto & elements) {
+    for (auto & element : elements)
+    {
+      for (auto & corner : element)
+      {
+        corner = number[corner];
+      }
+    }
+  };
+  renumber(result.tetrahedra.tetrahedra);
+  renumber(result.interfaces.triangles);
+  result.points.swap(points);
+  particles = std::move(kept);
 }
 
 std::size_t
@@ -248,6 +276,7 @@ BuildMesh(const IndicatorSet &      indicators,
     ++report.particles[particles.CellOf(p).Dimension()];
   }
   result.points = particles.positions;
+  result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);
   if (parameters.surfaceOnly)
   {
@@ -278,7 +307,7 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   report.optimization =
     OptimizeMesh(indicators, exterior, cells, parameters.optimization, result.points, result.tetrahedra, monitor);
-  DropUnusedPoints(result.points, particles, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
+  SortPoints(result);
 }
 } // namespace mmm

@@ -75,8 +75,8 @@ ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
   {
     parameters.maximumSize = geometry.ToGridUnit(options.maximumSize);
   }
-  parameters.minimumSize = std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize)
-                                                           : geometry.ToGridUnit(options.minimumSize);
+  parameters.minimumSize =
+    std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize) : geometry.ToGridUnit(options.minimumSize);
   return parameters;
 }
 } // namespace mmm

@@ -167,7 +167,7 @@ TEST(IndicatorImagesToMeshFilter, SurfaceIsThatOfTheTetrahedra)
 {
   const auto filter = MakeFilter(HalvesInputs(), 0);
   filter->Update();
-  const auto &                                               labels = mmmtest::CellDataOf(filter->GetOutput());
+  const auto &                                             labels = mmmtest::CellDataOf(filter->GetOutput());
   std::map<std::array<std::size_t, 3>, std::array<int, 2>> expected;
   for (const auto & face : mmmtest::FacesOf(filter->GetOutput()))
   {
@@ -195,7 +195,7 @@ TEST(IndicatorImagesToMeshFilter, ParticlesTellWhichLabelsMeet)
 {
   const auto filter = MakeFilter(HalvesInputs(), 0);
   filter->Update();
-  const auto *                 data = filter->GetParticles()->GetPointData();
+  const auto *                      data = filter->GetParticles()->GetPointData();
   std::map<std::array<int, 5>, int> counts;
   for (auto it = data->Begin(); it != data->End(); ++it)
   {
@@ -236,9 +236,9 @@ TEST(IndicatorImagesToMeshFilter, LabelsNeedNotBeSorted)
 
 TEST(IndicatorImagesToMeshFilter, OutsideGetsALabelThatIsNotTaken)
 {
-  const auto  labels = mmmtest::MakeImage<LabelImage>(10, 10, 10, [](int i, int, int) { return i < 5 ? 0 : 4; });
-  Inputs      inputs = MakeInputs(labels, -1);
-  const auto  outsideFor = [&](int first, int second, int wanted) {
+  const auto labels = mmmtest::MakeImage<LabelImage>(10, 10, 10, [](int i, int, int) { return i < 5 ? 0 : 4; });
+  Inputs     inputs = MakeInputs(labels, -1);
+  const auto outsideFor = [&](int first, int second, int wanted) {
     inputs.labels = { first, second };
     const auto filter = MakeFilter(inputs, -1);
     filter->SetOutsideLabel(wanted);

@@ -205,8 +205,8 @@ TEST(IndicatorImagesToSizingImageFilter, DoesNotExceedTheSizingImage)
 
 TEST(IndicatorImagesToSizingImageFilter, ExteriorAtTheBorderIsNoInterface)
 {
-  const auto indicators = MakeIndicators(
-    mmmtest::MakeImage<LabelImage>(24, 24, 24, [](int, int, int k) { return k < 12 ? 0 : 1; }));
+  const auto indicators =
+    MakeIndicators(mmmtest::MakeImage<LabelImage>(24, 24, 24, [](int, int, int k) { return k < 12 ? 0 : 1; }));
   for (const int exterior : { 0, -1 })
   {
     const auto filter = MakeFilter(indicators);
@@ -278,7 +278,7 @@ TEST(IndicatorImagesToSizingImageFilter, ThrowsOnASizingImageOfAnotherGrid)
   filter->SetSizingImage(MakeSizes(13, 2.0f));
   mmmtest::ExpectException([&] { filter->Update(); }, "The sizing image covers");
 
-  const auto              sizes = MakeSizes(12, 2.0f);
+  const auto               sizes = MakeSizes(12, 2.0f);
   SizingImage::SpacingType spacing;
   spacing.Fill(2.0);
   sizes->SetSpacing(spacing);

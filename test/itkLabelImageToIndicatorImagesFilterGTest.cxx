@@ -129,7 +129,7 @@ TEST(LabelImageToIndicatorImagesFilter, RadiusIsInMillimeters)
   const auto filter = MakeFilter(image);
   filter->SetRadius(2.0);
   filter->Update();
-  const auto inVoxels = ValuesOf(filter->GetOutputForLabel(1));
+  const auto              inVoxels = ValuesOf(filter->GetOutputForLabel(1));
   LabelImage::SpacingType spacing;
   spacing.Fill(0.25);
   image->SetSpacing(spacing);

@@ -69,7 +69,7 @@ TEST(LabelImageToTetrahedralMeshFilter, VolumeOfASphereIsRight)
   const auto   filter = RunFilter(mmmtest::MakeBall<LabelImage>(28, 10.0));
   const double volume = 4.0 / 3.0 * itk::Math::pi * 1000.0;
   EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), volume, 0.03 * volume);
-  double area = 0.0;
+  double     area = 0.0;
   const auto points = mmmtest::PointsOf(filter->GetSurface());
   for (const auto & corners : mmmtest::CellsOf<3>(filter->GetSurface()))
   {
@@ -224,9 +224,9 @@ TEST(LabelImageToTetrahedralMeshFilter, MeshCommutesWithOriginDirectionSpacing)
       EXPECT_NEAR(entry.second, scale * volumes.at(entry.first), 1e-6 * scale * volumes.at(entry.first));
     }
     // normals are turned over together with the cells
-    double       flux = 0.0;
-    const auto   sides = mmmtest::CellDataOf(second->GetSurface());
-    const auto   triangles = mmmtest::CellsOf<3>(second->GetSurface());
+    double     flux = 0.0;
+    const auto sides = mmmtest::CellDataOf(second->GetSurface());
+    const auto triangles = mmmtest::CellsOf<3>(second->GetSurface());
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
       if (sides[t][0] == 0)
@@ -247,8 +247,8 @@ TEST(LabelImageToTetrahedralMeshFilter, MeshCommutesWhenLengthsAreGiven)
     LabelImage::SpacingType spacing;
     spacing.Fill(unit);
     image->SetSpacing(spacing);
-    const auto sizes = mmmtest::MakeImage<itk::Image<float, 3>>(
-      20, 20, 20, [unit](int i, int, int) { return (1.3 + 0.2 * i) * unit; });
+    const auto sizes =
+      mmmtest::MakeImage<itk::Image<float, 3>>(20, 20, 20, [unit](int i, int, int) { return (1.3 + 0.2 * i) * unit; });
     sizes->SetSpacing(spacing);
     const auto filter = MakeFilter(image);
     filter->SetSizingImage(sizes);
@@ -327,8 +327,7 @@ TEST(LabelImageToTetrahedralMeshFilter, MeshesTheWholeBoxWithoutExterior)
   }
   for (int corner = 0; corner < 8; ++corner)
   {
-    EXPECT_TRUE(corners.count(
-      { { corner & 1 ? 11.5 : -0.5, corner & 2 ? 9.5 : -0.5, corner & 4 ? 7.5 : -0.5 } }))
+    EXPECT_TRUE(corners.count({ { corner & 1 ? 11.5 : -0.5, corner & 2 ? 9.5 : -0.5, corner & 4 ? 7.5 : -0.5 } }))
       << corner;
   }
 }
@@ -336,9 +335,8 @@ TEST(LabelImageToTetrahedralMeshFilter, MeshesTheWholeBoxWithoutExterior)
 TEST(LabelImageToTetrahedralMeshFilter, SeveralExteriorLabelsAreOneMaterial)
 {
   // exterior 0 and 9 around a ball: no interface between them
-  const auto image = mmmtest::MakeImage<LabelImage>(24, 24, 24, [](int i, int j, int k) {
-    return mmmtest::IsInBall(i, j, k, 24, 8.0) ? 1 : (i < 12 ? 0 : 9);
-  });
+  const auto image = mmmtest::MakeImage<LabelImage>(
+    24, 24, 24, [](int i, int j, int k) { return mmmtest::IsInBall(i, j, k, 24, 8.0) ? 1 : (i < 12 ? 0 : 9); });
   const auto filter = MakeFilter(image);
   filter->SetExteriorLabels({ 9, 0 });
   filter->Update();

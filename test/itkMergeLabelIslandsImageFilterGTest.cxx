@@ -262,8 +262,7 @@ TYPED_TEST(MergeLabelIslandsImageFilterPixels, TellsTheExtremeLabelsApart)
   const auto lowest = std::numeric_limits<TypeParam>::min();
   const auto highest =
     static_cast<TypeParam>(std::min<double>(std::numeric_limits<TypeParam>::max(), std::numeric_limits<int>::max()));
-  const auto image = mmmtest::MakeImage<TypedImage>(
-    8, 8, 8, [=](int i, int, int) { return i < 4 ? lowest : highest; });
+  const auto image = mmmtest::MakeImage<TypedImage>(8, 8, 8, [=](int i, int, int) { return i < 4 ? lowest : highest; });
   image->SetPixel({ { 1, 4, 4 } }, highest);
   const auto filter = itk::MergeLabelIslandsImageFilter<TypedImage>::New();
   filter->SetInput(image);

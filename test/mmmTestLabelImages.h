@@ -67,7 +67,8 @@ MakeBall(int size, double radius)
     size, size, size, [=](int i, int j, int k) { return IsInBall(i, j, k, size, radius) ? 1 : 0; });
 }
 
-/** Label `first` in the lower half of a ball and `second` in its upper half, 0 around it: all three meet in a circle. */
+/** Label `first` in the lower half of a ball and `second` in its upper half, 0 around it: all three meet in a circle.
+ */
 template <typename TImage>
 typename TImage::Pointer
 MakeHalves(int size, double radius, int first = 1, int second = 2)
