@@ -27,11 +27,14 @@ namespace mmm
 {
 /** \brief The set M of materials that meet at a junction, sorted.
  *
- * Two materials meet on a 2-cell (a surface), three on a 1-cell (a curve), four on a 0-cell (a point). */
+ * Two materials meet on a 2-cell (a surface), three on a 1-cell (a curve), four on a 0-cell (a point). Where junctions lie
+ * closer together than can be meshed they are one point of up to Capacity materials. */
 struct Cell
 {
-  std::array<Material, 4> materials{ { 0, 0, 0, 0 } };
-  std::uint8_t            count{ 0 };
+  static constexpr int Capacity = 8;
+
+  std::array<Material, Capacity> materials{};
+  std::uint8_t                   count{ 0 };
 
   Cell() = default;
   Cell(std::initializer_list<Material> list)
@@ -66,7 +69,7 @@ struct Cell
   int
   Dimension() const
   {
-    return 4 - count;
+    return std::max(0, 4 - int(count));
   }
   bool
   Has(Material m) const
@@ -78,6 +81,19 @@ struct Cell
   Includes(const Cell & other) const
   {
     return std::includes(this->begin(), this->end(), other.begin(), other.end());
+  }
+  /** Takes in the other cell's materials. Returns false, and changes nothing, if there are too many. */
+  bool
+  Join(const Cell & other)
+  {
+    std::array<Material, 2 * Capacity> all;
+    const auto last = std::set_union(this->begin(), this->end(), other.begin(), other.end(), all.begin());
+    if (last - all.begin() > Capacity)
+    {
+      return false;
+    }
+    count = std::uint8_t(std::copy(all.begin(), last, materials.begin()) - materials.begin());
+    return true;
   }
   friend bool
   operator==(const Cell & a, const Cell & b)

@@ -21,7 +21,7 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmParticles.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmInterfaceMesh.h"
 
 #include <string>
 

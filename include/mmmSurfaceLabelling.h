@@ -34,10 +34,6 @@ MultiMaterialMeshing_EXPORT std::vector<Material>
                                             const ParticleSet &              particles,
                                             const std::vector<Tetrahedron> & tetrahedra,
                                             Material                         exterior);
-
-/** The faces between tetrahedra of different materials. The outside of the mesh has the material `outside`. */
-MultiMaterialMeshing_EXPORT InterfaceMesh
-                            ExtractInterfaces(const TetrahedralMesh & mesh, Material outside);
 } // namespace mmm
 
 #endif

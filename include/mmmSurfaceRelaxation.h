@@ -20,7 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmParticles.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmInterfaceMesh.h"
 
 namespace mmm
 {

@@ -28,24 +28,12 @@ namespace mmm
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
                             DelaunayTetrahedralization(const std::vector<Vector> & points);
 
-/** A place in a region that the facets enclose, and the region's material. */
-struct RegionSeed
-{
-  Vector   position;
-  Material material;
-};
-
-/** \brief The constrained Delaunay tetrahedralization of closed facets, without Steiner points on them.
+/** \brief The constrained Delaunay tetrahedralization of facets, without Steiner points on them, up to the convex hull.
  *
- * `points` holds the facets' points and those of the interior. Each region takes the material of its seed; regions of
- * `exterior`, and what lies outside of all facets, stay empty. Points keep their numbers; those that TetGen had to add
- * to the interior in order to recover the facets are appended. Throws itk::ExceptionObject with TetGen's own words where
- * it fails. */
-MultiMaterialMeshing_EXPORT TetrahedralMesh
-                            TetrahedralizeRegions(std::vector<Vector> &           points,
-                                                  const std::vector<Triangle> &   facets,
-                                                  const std::vector<RegionSeed> & seeds,
-                                                  Material                        exterior);
+ * `points` holds the facets' points and others. Points keep their numbers; those that TetGen had to add between the
+ * facets in order to recover them are appended. Throws itk::ExceptionObject with TetGen's own words where it fails. */
+MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
+ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);
 } // namespace mmm
 
 #endif

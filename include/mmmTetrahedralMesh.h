@@ -40,13 +40,6 @@ struct TetrahedralMesh
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Material>    materials;
 };
-
-/** Triangles between different materials: `first` < `second`, the normal (right hand rule) points to `second`. */
-struct InterfaceMesh
-{
-  std::vector<Triangle>                triangles;
-  std::vector<std::array<Material, 2>> sides;
-};
 } // namespace mmm
 
 #endif

@@ -397,6 +397,10 @@ IndicatorSet::GaussNewtonStep(const Cell & cell, const Vector & x, Vector & step
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 3, 1>;
 
+  if (cell.count > 4)
+  {
+    return false; // no such place is known but the one where its junctions were joined
+  }
   double    values[4];
   Vector    gradients[4];
   const int count = this->Residuals(cell, x, values, gradients);

@@ -42,9 +42,11 @@ PointSmoother::PointSmoother(const IndicatorSet &             indicators,
                              const std::vector<Tetrahedron> & tetrahedra,
                              const std::vector<Material> &    materials)
   : m_Indicators(indicators)
+  , m_Exterior(exterior)
   , m_Cells(cells)
   , m_Points(points)
   , m_Tetrahedra(tetrahedra)
+  , m_Materials(materials)
 {
   m_StarStart.assign(points.size() + 1, 0);
   for (const auto & t : tetrahedra)
@@ -67,12 +69,12 @@ PointSmoother::PointSmoother(const IndicatorSet &             indicators,
       m_Star[next[corner]++] = t;
     }
   }
-  this->ClassifyPoints(exterior, materials);
+  this->ClassifyPoints();
   this->ColourPoints();
 }
 
 void
-PointSmoother::ClassifyPoints(Material exterior, const std::vector<Material> & materials)
+PointSmoother::ClassifyPoints()
 {
   // the materials that really meet at each point, against those of its cell
   const auto                                           neighbours = ComputeTetrahedronNeighbours(m_Tetrahedra);
@@ -83,7 +85,7 @@ PointSmoother::ClassifyPoints(Material exterior, const std::vector<Material> & m
     for (int f = 0; f < 4; ++f)
     {
       const auto other = neighbours[t][f];
-      if (other != NoTetrahedron && materials[other] <= materials[t])
+      if (other == NoTetrahedron ? this->IsExterior(t) : m_Materials[other] <= m_Materials[t])
       {
         continue;
       }
@@ -130,11 +132,11 @@ PointSmoother::ClassifyPoints(Material exterior, const std::vector<Material> & m
     std::vector<Material> present;
     if (outside[p])
     {
-      present.push_back(exterior);
+      present.push_back(m_Exterior);
     }
     for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
     {
-      const Material m = materials[m_Star[s]];
+      const Material m = m_Materials[m_Star[s]];
       if (std::find(present.begin(), present.end(), m) == present.end())
       {
         present.push_back(m);
@@ -143,7 +145,7 @@ PointSmoother::ClassifyPoints(Material exterior, const std::vector<Material> & m
     std::vector<Material> own;
     for (const Material m : m_Cells[p])
     {
-      const Material mapped = m_Indicators.IsPlane(m) ? exterior : m;
+      const Material mapped = m_Indicators.IsPlane(m) ? m_Exterior : m;
       if (std::find(own.begin(), own.end(), mapped) == own.end())
       {
         own.push_back(mapped);
@@ -238,7 +240,8 @@ PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
     {
       corners[c] = t[c] == p ? &x : &m_Points[t[c]];
     }
-    worst = std::min(worst, DihedralQuality(*corners[0], *corners[1], *corners[2], *corners[3]));
+    worst = std::min(
+      worst, MaterialQuality(*corners[0], *corners[1], *corners[2], *corners[3], this->IsExterior(m_Star[s])));
     if (worst <= enough)
     {
       return worst;
@@ -316,12 +319,20 @@ PointSmoother::MoveToAverage(PointId p)
   double worst = 2.0;
   for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
   {
+    if (this->IsExterior(m_Star[s]))
+    {
+      continue;
+    }
     const auto & t = m_Tetrahedra[m_Star[s]];
     const double quality = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
     const double weight = 1.0 / (0.05 + std::max(0.0, quality));
     sum += weight * this->IdealPlace(p, t);
     weights += weight;
     worst = std::min(worst, quality);
+  }
+  if (!(weights > 0.0))
+  {
+    return false;
   }
   const Vector target = sum / weights;
   // far from the worst there is room: a little may be given up for the average
@@ -338,6 +349,10 @@ PointSmoother::MoveUphill(PointId p, double quality)
   poorest.fill({ None, 0 });
   for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
   {
+    if (this->IsExterior(m_Star[s]))
+    {
+      continue;
+    }
     const auto & t = m_Tetrahedra[m_Star[s]];
     const double q = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
     if (q < poorest[2].first)

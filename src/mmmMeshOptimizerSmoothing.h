@@ -38,6 +38,13 @@ DihedralQuality(const Vector & a, const Vector & b, const Vector & c, const Vect
   return std::min((1.0 - cosines.largest) * 1.5, (1.0 + cosines.smallest) * 0.75);
 }
 
+/** The same; the exterior's tetrahedra are as good as any, unless they are inverted. */
+inline double
+MaterialQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d, bool isExterior)
+{
+  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? 2.0 : -1.0) : DihedralQuality(a, b, c, d);
+}
+
 /** The quality of a tetrahedron whose smallest dihedral angle is this, in degrees. */
 inline double
 QualityOfAngle(double degrees)
@@ -75,7 +82,12 @@ public:
 
 private:
   void
-  ClassifyPoints(Material exterior, const std::vector<Material> & materials);
+  ClassifyPoints();
+  bool
+  IsExterior(std::uint32_t t) const
+  {
+    return m_Materials[t] == m_Exterior;
+  }
   void
   ColourPoints();
   template <typename TMove>
@@ -95,9 +107,11 @@ private:
   WorstTriangleAround(PointId p, const Vector & x) const;
 
   const IndicatorSet &             m_Indicators;
+  const Material                   m_Exterior;
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;
   const std::vector<Tetrahedron> & m_Tetrahedra;
+  const std::vector<Material> &    m_Materials;
   double                           m_TriangleFloor{ 0.0 };
   std::vector<Freedom>             m_Freedom;
   std::vector<std::uint32_t>       m_StarStart;

@@ -19,10 +19,10 @@
 
 #include "mmmInteriorParticles.h"
 #include "mmmMeshOptimizer.h"
+#include "mmmParticleMerging.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
 #include "mmmTetGen.h"
-#include "mmmTetrahedronNeighbours.h"
 
 #include "itkMacro.h"
 
@@ -167,62 +167,20 @@ CountInconsistentTriangles(const IndicatorSet & indicators,
   return count;
 }
 
-/** A place in every face-connected part of each material: the centre of its thickest tetrahedron. */
-std::vector<RegionSeed>
-PlaceRegionSeeds(const std::vector<Vector> & points, const TetrahedralMesh & mesh, Material exterior)
+void
+DropMaterial(Material material, TetrahedralMesh & mesh)
 {
-  const auto                 neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
-  std::vector<char>          visited(mesh.tetrahedra.size(), 0);
-  std::vector<std::uint32_t> stack;
-  std::vector<RegionSeed>    seeds;
-  for (std::uint32_t first = 0; first < mesh.tetrahedra.size(); ++first)
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
   {
-    if (visited[first])
+    if (mesh.materials[t] != material)
     {
-      continue;
-    }
-    const Material material = mesh.materials[first];
-    double         thickest = -1.0;
-    RegionSeed     seed{ Vector::Zero(), material };
-    bool           enclosed = true;
-    visited[first] = 1;
-    stack.push_back(first);
-    while (!stack.empty())
-    {
-      const auto t = stack.back();
-      stack.pop_back();
-      const auto &   c = mesh.tetrahedra[t];
-      const Vector & p = points[c[0]];
-      const double   volume = TetrahedronVolume(p, points[c[1]], points[c[2]], points[c[3]]);
-      double         longest = 0.0;
-      for (int e = 0; e < 6; ++e)
-      {
-        constexpr int edges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
-        longest = std::max(longest, (points[c[edges[e][0]]] - points[c[edges[e][1]]]).squaredNorm());
-      }
-      const double thickness = volume / longest;
-      if (thickness > thickest)
-      {
-        thickest = thickness;
-        seed.position = 0.25 * (p + points[c[1]] + points[c[2]] + points[c[3]]);
-      }
-      for (const auto other : neighbours[t])
-      {
-        enclosed = enclosed && other != NoTetrahedron;
-        if (other != NoTetrahedron && !visited[other] && mesh.materials[other] == material)
-        {
-          visited[other] = 1;
-          stack.push_back(other);
-        }
-      }
-    }
-    // what reaches the convex hull is outside of all facets if it is exterior
-    if (material != exterior || enclosed)
-    {
-      seeds.push_back(seed);
+      mesh.tetrahedra[kept] = mesh.tetrahedra[t];
+      mesh.materials[kept++] = mesh.materials[t];
     }
   }
-  return seeds;
+  mesh.tetrahedra.resize(kept);
+  mesh.materials.resize(kept);
 }
 } // namespace
 
@@ -265,10 +223,10 @@ BuildMesh(const IndicatorSet &      indicators,
     if (round < SurfaceRounds)
     {
       RelaxOnSurface(indicators, sizing, result.interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
+      MergeCloseParticles(indicators, sizing, particles);
     }
     monitor.Report(double(round + 1) / (SurfaceRounds + 1));
   }
-  const auto seeds = PlaceRegionSeeds(particles.positions, labelled, exterior);
   report.inconsistentTriangles = CountInconsistentTriangles(indicators, particles, result.interfaces, exterior);
   report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
   for (std::size_t p = 0; p < particles.Size(); ++p)
@@ -295,7 +253,8 @@ BuildMesh(const IndicatorSet &      indicators,
 
   monitor.BeginStage("constrained tetrahedralization");
   result.points = all.positions;
-  result.tetrahedra = TetrahedralizeRegions(result.points, result.interfaces.triangles, seeds, exterior);
+  result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, result.interfaces.triangles);
+  result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
   report.steinerPoints = result.points.size() - all.Size();
   monitor.Report(1.0);
 
@@ -307,6 +266,7 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   report.optimization =
     OptimizeMesh(indicators, exterior, cells, parameters.optimization, result.points, result.tetrahedra, monitor);
+  DropMaterial(exterior, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);
 }

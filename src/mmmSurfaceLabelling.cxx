@@ -18,7 +18,6 @@
 #include "mmmSurfaceLabelling.h"
 
 #include "mmmParallel.h"
-#include "mmmTetrahedronNeighbours.h"
 
 #include <algorithm>
 
@@ -96,36 +95,4 @@ LabelTetrahedra(const IndicatorSet &             indicators,
   return materials;
 }
 
-InterfaceMesh
-ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
-{
-  const auto    neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
-  InterfaceMesh interfaces;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      const auto     other = neighbours[t][f];
-      const Material own = mesh.materials[t];
-      const Material beyond = other == NoTetrahedron ? outside : mesh.materials[other];
-      // each pair once, from the side of the lower material or, at the outside, from the mesh
-      if (own == beyond || (other != NoTetrahedron && own > beyond))
-      {
-        continue;
-      }
-      Triangle corners;
-      for (int c = 0; c < 3; ++c)
-      {
-        corners[c] = mesh.tetrahedra[t][TetrahedronFaces[f][c]];
-      }
-      if (own > beyond)
-      {
-        std::swap(corners[1], corners[2]);
-      }
-      interfaces.triangles.push_back(corners);
-      interfaces.sides.push_back({ { std::min(own, beyond), std::max(own, beyond) } });
-    }
-  }
-  return interfaces;
-}
 } // namespace mmm

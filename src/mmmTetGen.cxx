@@ -118,11 +118,8 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
   return OrientedTetrahedra(out);
 }
 
-TetrahedralMesh
-TetrahedralizeRegions(std::vector<Vector> &           points,
-                      const std::vector<Triangle> &   facets,
-                      const std::vector<RegionSeed> & seeds,
-                      Material                        exterior)
+std::vector<Tetrahedron>
+ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets)
 {
   tetgenio in;
   tetgenio out;
@@ -144,25 +141,14 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   in.facetlist = facetList.data();
   in.numberoffacets = int(facets.size());
 
-  std::vector<double> regions;
-  for (const auto & seed : seeds)
-  {
-    regions.insert(regions.end(), seed.position.data(), seed.position.data() + 3);
-    regions.push_back(seed.material + 1.0); // 0 would mean that no seed reached a region
-    regions.push_back(-1.0);
-  }
-  in.regionlist = regions.data();
-  in.numberofregions = int(regions.size() / 5);
-
   // the memory of these lists is ours: take it back before tetgenio would free it
   const auto release = [&in]() {
     in.facetlist = nullptr;
     in.numberoffacets = 0;
-    in.regionlist = nullptr;
   };
   try
   {
-    Run("zpYMAJQ", in, out);
+    Run("zpcYMJQ", in, out);
   }
   catch (...)
   {
@@ -176,19 +162,6 @@ TetrahedralizeRegions(std::vector<Vector> &           points,
   {
     points.emplace_back(out.pointlist[3 * p], out.pointlist[3 * p + 1], out.pointlist[3 * p + 2]);
   }
-  TetrahedralMesh mesh;
-  const auto tetrahedra = OrientedTetrahedra(out);
-  mesh.tetrahedra.reserve(out.numberoftetrahedra);
-  mesh.materials.reserve(out.numberoftetrahedra);
-  for (int t = 0; t < out.numberoftetrahedra; ++t)
-  {
-    const int attribute = int(out.tetrahedronattributelist[std::size_t(t) * out.numberoftetrahedronattributes] + 0.5);
-    if (attribute > 0 && Material(attribute - 1) != exterior)
-    {
-      mesh.tetrahedra.push_back(tetrahedra[t]);
-      mesh.materials.push_back(Material(attribute - 1));
-    }
-  }
-  return mesh;
+  return OrientedTetrahedra(out);
 }
 } // namespace mmm

@@ -214,7 +214,7 @@ TEST(TetGen, PassesOnItsWordsAboutIntersectingFacets)
                                            { { 4, 5, 6 } }, { { 4, 5, 7 } }, { { 4, 6, 7 } }, { { 5, 6, 7 } } };
   try
   {
-    mmm::TetrahedralizeRegions(points, facets, { { Vector(0.5, 0.5, 0.5), 0 } }, 9);
+    mmm::ConstrainedTetrahedralization(points, facets);
     FAIL() << "no exception";
   }
   catch (const itk::ExceptionObject & error)

@@ -1,0 +1,54 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmEdgeCollapser_h
+#define mmmEdgeCollapser_h
+
+#include "mmmOptimizerState.h"
+
+namespace mmm
+{
+/** \brief Pulls one end of an edge into the other. */
+class EdgeCollapser
+{
+public:
+  explicit EdgeCollapser(OptimizerState & state)
+    : m_State(state)
+  {}
+
+  /** Pulls point u into point v, if that makes the worst tetrahedron around u better. A point of the interior may go
+   * anywhere; one of a surface along the surface, by the link condition. */
+  bool
+  Collapse(OptimizerState::Id t, PointId u, PointId v);
+
+private:
+  std::vector<Material>
+  MaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
+  bool
+  LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
+  bool
+  MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, const std::vector<Material> & materials);
+
+  OptimizerState &                m_State;
+  TetrahedralComplex::Ring        m_Ring;
+  std::vector<OptimizerState::Id> m_Star;
+  std::vector<OptimizerState::Id> m_OtherStar;
+  std::vector<OptimizerState::Id> m_Ids;
+};
+} // namespace mmm
+
+#endif

@@ -1,0 +1,67 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmOptimizerState.h"
+
+#include "mmmMeshOptimizerSmoothing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+double
+OptimizerState::Quality(const Tetrahedron & t, Material material) const
+{
+  return MaterialQuality(points[t[0]], points[t[1]], points[t[2]], points[t[3]], material == exterior);
+}
+
+double
+OptimizerState::WorstOf(const std::vector<Id> & tetrahedra) const
+{
+  double worst = 2.0;
+  for (const Id t : tetrahedra)
+  {
+    worst = std::min(worst, this->Quality(t));
+  }
+  return worst;
+}
+
+double
+OptimizerState::DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const
+{
+  // where the exterior begins at a plane, the plane is the interface
+  if (a == exterior || b == exterior)
+  {
+    if (corner < cells.size())
+    {
+      for (const Material m : cells[corner])
+      {
+        if (indicators.IsPlane(m) && std::abs(indicators.PlaneValue(m, x)) < 1e-9)
+        {
+          return 0.0;
+        }
+      }
+    }
+    if (std::size_t(exterior) >= indicators.GetNumberOfMaterials())
+    {
+      return 1e30;
+    }
+  }
+  return 0.5 * std::abs(indicators.Value(a, x) - indicators.Value(b, x));
+}
+} // namespace mmm

@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmOptimizerState_h
+#define mmmOptimizerState_h
+
+#include "mmmMeshOptimizer.h"
+#include "mmmTetrahedralComplex.h"
+
+namespace mmm
+{
+/** What the optimizer's operations work on. The exterior's tetrahedra have no quality, but must not be inverted either:
+ * so the outer interface is one like the others, and parts of the mesh cannot grow into each other. */
+struct OptimizerState
+{
+  using Id = TetrahedralComplex::Id;
+  using Element = TetrahedralComplex::Element;
+
+  /** An operation has to raise the worst quality by this much. */
+  static constexpr double LeastGain = 1e-6;
+  /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces. */
+  static constexpr double TriangleFloor = 0.4;
+
+  const IndicatorSet &           indicators;
+  const Material                 exterior;
+  const std::vector<Cell> &      cells;
+  const OptimizationParameters & parameters;
+  const std::vector<Vector> &    points;
+  TetrahedralComplex             complex;
+  OptimizationReport &           report;
+
+  double
+  Quality(const Tetrahedron & corners, Material material) const;
+  double
+  Quality(Id t) const
+  {
+    return this->Quality(complex.Corners(t), complex.MaterialOf(t));
+  }
+  double
+  WorstOf(const std::vector<Id> & tetrahedra) const;
+
+  /** How far the interface of two materials is from a point on it, in units of the smallest voxel spacing. `corner` is
+   * a particle beside it. */
+  double
+  DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const;
+};
+} // namespace mmm
+
+#endif

@@ -1,0 +1,130 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmParticleMerging.h"
+
+#include "mmmPointBins.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace mmm
+{
+namespace
+{
+/** Particles of one sheet, or of a sheet and its border, are joined below this distance in units of h; */
+constexpr double SheetDistance = 0.35;
+/** junctions below this, and points of different sheets below this, in units of the smallest voxel spacing. */
+constexpr double JunctionDistance = 0.3;
+constexpr double LayerDistance = 0.15;
+
+/** Numbers for cells, of which joining makes new ones. */
+class CellNumbers
+{
+public:
+  explicit CellNumbers(std::vector<Cell> & table)
+    : m_Table(table)
+  {
+    for (std::uint32_t n = 0; n < table.size(); ++n)
+    {
+      m_Numbers.insert({ table[n], n });
+    }
+  }
+  std::uint32_t
+  operator()(const Cell & cell)
+  {
+    const auto entry = m_Numbers.insert({ cell, std::uint32_t(m_Table.size()) });
+    if (entry.second)
+    {
+      m_Table.push_back(cell);
+    }
+    return entry.first->second;
+  }
+
+private:
+  std::vector<Cell> &           m_Table;
+  std::map<Cell, std::uint32_t> m_Numbers;
+};
+} // namespace
+
+std::size_t
+MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing, ParticleSet & particles)
+{
+  const std::size_t          count = particles.Size();
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return particles.CellOf(a).count > particles.CellOf(b).count;
+  });
+  CellNumbers       numbers(particles.cellTable);
+  PointBins         bins(indicators.GetGrid(), 2.0);
+  std::vector<char> kept(count, 0);
+  bins.Assign(particles.positions);
+  for (const auto p : order)
+  {
+    const Vector & x = particles.positions[p];
+    const double   h = sizing(x);
+    const double   reach = std::max(SheetDistance * h, JunctionDistance);
+    std::uint32_t  nearest = p;
+    double         least = reach * reach;
+    bins.Visit(x, reach, [&](std::uint32_t q) {
+      const double square = (particles.positions[q] - x).squaredNorm();
+      if (!kept[q] || square > least || (square == least && q > nearest))
+      {
+        return;
+      }
+      const Cell & own = particles.CellOf(p);
+      const Cell & other = particles.CellOf(q);
+      double       limit = own.Dimension() == 2 ? LayerDistance : JunctionDistance;
+      if (other.Includes(own) &&
+          (other != own || own.Dimension() != 2 ||
+           indicators.Normal(own, x).dot(indicators.Normal(own, particles.positions[q])) > 0.0))
+      {
+        limit = SheetDistance * h;
+      }
+      if (square < limit * limit)
+      {
+        least = square;
+        nearest = q;
+      }
+    });
+    kept[p] = 1;
+    if (nearest != p)
+    {
+      Cell joint = particles.CellOf(nearest);
+      if (joint.Join(particles.CellOf(p)))
+      {
+        particles.cells[nearest] = numbers(joint);
+        kept[p] = 0;
+      }
+    }
+  }
+  std::size_t last = 0;
+  for (std::size_t p = 0; p < count; ++p)
+  {
+    if (kept[p])
+    {
+      particles.positions[last] = particles.positions[p];
+      particles.cells[last++] = particles.cells[p];
+    }
+  }
+  particles.positions.resize(last);
+  particles.cells.resize(last);
+  return count - last;
+}
+} // namespace mmm

@@ -1,0 +1,158 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmSideChanger.h"
+
+#include <algorithm>
+
+namespace mmm
+{
+using Id = OptimizerState::Id;
+
+bool
+SideChanger::GiveToOtherSide(Id t)
+{
+  Faces faces;
+  if (!this->SortFaces(t, faces))
+  {
+    return false;
+  }
+  return (faces.onInterface == 2 && this->ChangeTwoFaces(t, faces)) ||
+         (faces.onInterface == 3 && this->ChangeThreeFaces(t, faces));
+}
+
+/** False where more than one material lies beyond, or nothing. */
+bool
+SideChanger::SortFaces(Id t, Faces & faces) const
+{
+  const Material own = m_State.complex.MaterialOf(t);
+  int            inside = 4;
+  faces.onInterface = 0;
+  for (int f = 0; f < 4; ++f)
+  {
+    const Id other = m_State.complex.Neighbour(t, f);
+    if (other == NoTetrahedron)
+    {
+      return false;
+    }
+    const Material m = m_State.complex.MaterialOf(other);
+    if (m == own)
+    {
+      faces.numbers[--inside] = f;
+      continue;
+    }
+    if (faces.onInterface > 0 && m != faces.beyond)
+    {
+      return false;
+    }
+    faces.beyond = m;
+    faces.numbers[faces.onInterface++] = f;
+  }
+  return faces.onInterface > 0;
+}
+
+/** Whether all tetrahedra around an edge, but one, have this material; false if the edge lies on the outside. */
+bool
+SideChanger::AllAround(Id t, PointId a, PointId b, Material material)
+{
+  m_State.complex.GetRing(t, a, b, m_Ring);
+  return m_Ring.closed && std::all_of(m_Ring.tetrahedra.begin(), m_Ring.tetrahedra.end(), [&](Id other) {
+           return other == t || m_State.complex.MaterialOf(other) == material;
+         });
+}
+
+bool
+SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
+{
+  const auto     corners = m_State.complex.Corners(t);
+  const Material own = m_State.complex.MaterialOf(t);
+  const Material other = faces.beyond;
+  // the two faces on the interface share an edge cd, and the two others share the opposite one, ab
+  const PointId a = corners[faces.numbers[0]];
+  const PointId b = corners[faces.numbers[1]];
+  const PointId c = corners[faces.numbers[2]];
+  const PointId d = corners[faces.numbers[3]];
+  if (!this->AllAround(t, c, d, other) || !this->AllAround(t, a, b, own))
+  {
+    return false;
+  }
+  const auto & points = m_State.points;
+  const double was = m_State.DistanceToInterface(own, other, 0.5 * (points[c] + points[d]), c);
+  const double is = m_State.DistanceToInterface(own, other, 0.5 * (points[a] + points[b]), a);
+  if (is > std::max(was, m_State.parameters.interfaceTolerance))
+  {
+    return false;
+  }
+  const double worstBefore = std::min(TriangleRadiusRatio(points[c], points[d], points[a]),
+                                      TriangleRadiusRatio(points[c], points[d], points[b]));
+  const double worstAfter = std::min(TriangleRadiusRatio(points[a], points[b], points[c]),
+                                     TriangleRadiusRatio(points[a], points[b], points[d]));
+  if (worstAfter < std::min(worstBefore, OptimizerState::TriangleFloor))
+  {
+    return false;
+  }
+  m_State.complex.SetMaterial(t, other);
+  // within the mesh this is but a step towards taking it apart
+  if (other != m_State.exterior && !m_EdgeRemover.RemoveEdge(t, c, d) && !m_EdgeRemover.RemoveAny(t))
+  {
+    m_State.complex.SetMaterial(t, own);
+    return false;
+  }
+  ++m_State.report.relabelled;
+  return true;
+}
+
+bool
+SideChanger::ChangeThreeFaces(Id t, const Faces & faces)
+{
+  const auto     corners = m_State.complex.Corners(t);
+  const Material own = m_State.complex.MaterialOf(t);
+  // the tip is opposite the face that is not on the interface; nothing else of its material may touch it
+  const PointId tip = corners[faces.numbers[3]];
+  m_State.complex.GetStar(tip, m_Star);
+  for (const Id s : m_Star)
+  {
+    if (s != t && m_State.complex.MaterialOf(s) != faces.beyond)
+    {
+      return false;
+    }
+  }
+  Vector centre = Vector::Zero();
+  double worstBefore = 1.0;
+  for (int f = 0; f < 3; ++f)
+  {
+    const auto & face = TetrahedronFaces[faces.numbers[f]];
+    centre += m_State.points[corners[faces.numbers[f]]] / 3.0;
+    worstBefore = std::min(worstBefore,
+                           TriangleRadiusRatio(m_State.points[corners[face[0]]],
+                                               m_State.points[corners[face[1]]],
+                                               m_State.points[corners[face[2]]]));
+  }
+  const PointId a = corners[faces.numbers[0]];
+  const PointId b = corners[faces.numbers[1]];
+  const PointId c = corners[faces.numbers[2]];
+  if (m_State.DistanceToInterface(own, faces.beyond, centre, a) > m_State.parameters.interfaceTolerance ||
+      TriangleRadiusRatio(m_State.points[a], m_State.points[b], m_State.points[c]) <
+        std::min(worstBefore, OptimizerState::TriangleFloor))
+  {
+    return false;
+  }
+  m_State.complex.SetMaterial(t, faces.beyond);
+  ++m_State.report.relabelled;
+  return true;
+}
+} // namespace mmm

@@ -1,0 +1,65 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmSideChanger_h
+#define mmmSideChanger_h
+
+#include "mmmEdgeRemover.h"
+
+namespace mmm
+{
+/** \brief Gives a bad tetrahedron that lies flat on an interface to the material on its other side.
+ *
+ * With two faces on the interface, these go over to the two others, as if an edge were flipped. With three, the point
+ * that they share leaves the interface. The shape of the tetrahedron stays: other operations can take it apart then, or
+ * it is a part of the exterior, where shape does not matter. */
+class SideChanger
+{
+public:
+  SideChanger(OptimizerState & state, EdgeRemover & edgeRemover)
+    : m_State(state)
+    , m_EdgeRemover(edgeRemover)
+  {}
+
+  bool
+  GiveToOtherSide(OptimizerState::Id t);
+
+private:
+  /** The faces of a tetrahedron that lie on an interface, the others behind them, and the one material beyond. */
+  struct Faces
+  {
+    std::array<int, 4> numbers;
+    int                onInterface;
+    Material           beyond;
+  };
+  bool
+  SortFaces(OptimizerState::Id t, Faces & faces) const;
+  bool
+  ChangeTwoFaces(OptimizerState::Id t, const Faces & faces);
+  bool
+  ChangeThreeFaces(OptimizerState::Id t, const Faces & faces);
+  bool
+  AllAround(OptimizerState::Id t, PointId a, PointId b, Material material);
+
+  OptimizerState &                m_State;
+  EdgeRemover &                   m_EdgeRemover;
+  TetrahedralComplex::Ring        m_Ring;
+  std::vector<OptimizerState::Id> m_Star;
+};
+} // namespace mmm
+
+#endif
