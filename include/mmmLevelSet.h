@@ -39,6 +39,15 @@ public:
     return (std::size_t(gridIndex[2] - m_Lower[2]) * m_Size[1] + (gridIndex[1] - m_Lower[1])) * m_Size[0] +
            (gridIndex[0] - m_Lower[0]);
   }
+  /** The grid index of a node of the block. */
+  Index
+  IndexAt(std::size_t offset) const
+  {
+    const auto row = offset / m_Size[0];
+    return Index{ { m_Lower[0] + int(offset % m_Size[0]),
+                    m_Lower[1] + int(row % m_Size[1]),
+                    m_Lower[2] + int(row / m_Size[1]) } };
+  }
   const Index &
   GetLower() const
   {

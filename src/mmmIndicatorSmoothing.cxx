@@ -19,6 +19,7 @@
 
 #include "mmmBoxDistance.h"
 #include "mmmLevelSet.h"
+#include "mmmParallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,8 @@ constexpr int BorderContinuation = 3;
 /** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
  * than half a voxel lets it yield: by how much the radius is larger. */
 constexpr float CentreMargin = 0.1f;
+/** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh. */
+constexpr float ThinCentreMargin = 0.3f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
@@ -59,8 +62,54 @@ BandValues(const LevelSet & levelSet)
   return values;
 }
 
+/** Whether a voxel belongs to no 2 x 2 x 2 block of its material. */
+bool
+IsThin(const MaterialImage & image, const Index & at)
+{
+  const auto materialAt = [&](int i, int j, int k) {
+    const Index clamped{ { std::min(std::max(i, 0), image.grid.size[0] - 1),
+                           std::min(std::max(j, 0), image.grid.size[1] - 1),
+                           std::min(std::max(k, 0), image.grid.size[2] - 1) } };
+    return image.materials[image.grid.Offset(clamped)];
+  };
+  const Material own = materialAt(at[0], at[1], at[2]);
+  for (int block = 0; block < 8; ++block)
+  {
+    const Index low{ { at[0] - (block & 1), at[1] - ((block >> 1) & 1), at[2] - (block >> 2) } };
+    bool        whole = true;
+    for (int corner = 0; corner < 8 && whole; ++corner)
+    {
+      whole = materialAt(low[0] + (corner & 1), low[1] + ((corner >> 1) & 1), low[2] + (corner >> 2)) == own;
+    }
+    if (whole)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** How far the interface has to stay from the centre of each of the band's voxels. */
+std::vector<float>
+CentreMargins(const MaterialImage & image, const LevelSet & levelSet)
+{
+  std::vector<float> margins(levelSet.Band().size(), CentreMargin);
+  ParallelFor(margins.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t b = begin; b < end; ++b)
+    {
+      const auto n = levelSet.Band()[b];
+      // only the voxels beside the interface matter
+      if (std::abs(levelSet.Values()[n]) < 1.0f && IsThin(image, levelSet.IndexAt(n)))
+      {
+        margins[b] = ThinCentreMargin;
+      }
+    }
+  });
+  return margins;
+}
+
 void
-AntiAlias(LevelSet & levelSet)
+AntiAlias(LevelSet & levelSet, const std::vector<float> & margins)
 {
   const float        width = float(levelSet.GetWidth());
   std::vector<float> lower = BandValues(levelSet);
@@ -68,8 +117,8 @@ AntiAlias(LevelSet & levelSet)
   for (std::size_t b = 0; b < lower.size(); ++b)
   {
     const bool inside = lower[b] > 0.0f;
-    lower[b] = inside ? CentreMargin : -width;
-    upper[b] = inside ? width : -CentreMargin;
+    lower[b] = inside ? margins[b] : -width;
+    upper[b] = inside ? width : -margins[b];
   }
   levelSet.FlowByMeanCurvature(lower, upper, FlowTolerance, AntiAliasSteps);
 }
@@ -92,7 +141,7 @@ OffsetAndBack(LevelSet levelSet, double offset)
 }
 
 void
-Tighten(LevelSet & levelSet, double radius)
+Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
 {
   std::vector<float> opening = OffsetAndBack(levelSet, -radius);
   std::vector<float> closing = OffsetAndBack(levelSet, radius);
@@ -104,11 +153,11 @@ Tighten(LevelSet & levelSet, double radius)
     closing[b] = std::max(closing[b] + MortarSlack, start[b]);
     if (start[b] > 0.0f)
     {
-      opening[b] = std::max(opening[b], std::min(start[b], CentreMargin - yield));
+      opening[b] = std::max(opening[b], std::min(start[b], margins[b] - yield));
     }
     else
     {
-      closing[b] = std::min(closing[b], std::max(start[b], yield - CentreMargin));
+      closing[b] = std::min(closing[b], std::max(start[b], yield - margins[b]));
     }
   }
   levelSet.FlowByMeanCurvature(opening, closing, FlowTolerance, TighteningSteps);
@@ -188,9 +237,10 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   {
     const double flowBand = FlowBandWidth + std::max(0.0, radius - 0.5);
     levelSet.SelectBand(flowBand);
-    AntiAlias(levelSet);
+    const auto margins = CentreMargins(image, levelSet);
+    AntiAlias(levelSet, margins);
     levelSet.Redistance();
-    Tighten(levelSet, radius);
+    Tighten(levelSet, margins, radius);
     levelSet.SelectBand(IndicatorBandWidth);
     levelSet.Redistance();
   }

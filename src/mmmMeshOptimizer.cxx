@@ -31,6 +31,9 @@ namespace
 {
 using Id = OptimizerState::Id;
 
+/** Exterior tetrahedra below this quality are gaps that should not be there. */
+const double FlatExterior = QualityOfAngle(2.0);
+
 /** Local changes of the connectivity. Each keeps the space that is filled, the topology of the interfaces, and makes
  * the worst tetrahedron that it touches better. */
 class ConnectivityImprover
@@ -52,8 +55,8 @@ public:
     {
       if (m_State.complex.IsAlive(t))
       {
-        const double q = m_State.Quality(t);
-        if (q < quality)
+        const double q = m_State.Shape(t);
+        if (q < (m_State.IsExterior(t) ? FlatExterior : quality))
         {
           bad.push_back({ q, t });
         }
@@ -65,7 +68,16 @@ public:
     {
       const Id t = entry.second;
       // its place may have been taken by another one since
-      if (m_State.complex.IsAlive(t) && m_State.Quality(t) < quality)
+      if (!m_State.complex.IsAlive(t) || !(m_State.Shape(t) < quality))
+      {
+        continue;
+      }
+      if (m_State.IsExterior(t))
+      {
+        // a gap this narrow is none
+        changes += m_SideChanger.GiveToOtherSide(t);
+      }
+      else
       {
         changes += m_SideChanger.GiveToOtherSide(t) || m_EdgeRemover.RemoveAny(t) || this->CollapseAny(t);
       }

@@ -25,6 +25,13 @@
 namespace mmm
 {
 double
+OptimizerState::Shape(Id t) const
+{
+  const auto & c = complex.Corners(t);
+  return DihedralQuality(points[c[0]], points[c[1]], points[c[2]], points[c[3]]);
+}
+
+double
 OptimizerState::Quality(const Tetrahedron & t, Material material) const
 {
   return MaterialQuality(points[t[0]], points[t[1]], points[t[2]], points[t[3]], material == exterior);

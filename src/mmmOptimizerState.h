@@ -43,6 +43,14 @@ struct OptimizerState
   TetrahedralComplex             complex;
   OptimizationReport &           report;
 
+  bool
+  IsExterior(Id t) const
+  {
+    return complex.MaterialOf(t) == exterior;
+  }
+  /** The quality that a tetrahedron would have if it were not exterior. */
+  double
+  Shape(Id t) const;
   double
   Quality(const Tetrahedron & corners, Material material) const;
   double

@@ -23,6 +23,12 @@ namespace mmm
 {
 using Id = OptimizerState::Id;
 
+namespace
+{
+/** A point that joins an interface splits a triangle into three that are at least this good. */
+constexpr double LeastRadiusRatio = 0.2;
+} // namespace
+
 bool
 SideChanger::GiveToOtherSide(Id t)
 {
@@ -31,11 +37,20 @@ SideChanger::GiveToOtherSide(Id t)
   {
     return false;
   }
-  return (faces.onInterface == 2 && this->ChangeTwoFaces(t, faces)) ||
-         (faces.onInterface == 3 && this->ChangeThreeFaces(t, faces));
+  switch (faces.onInterface)
+  {
+    case 1:
+      return this->ChangeOneFace(t, faces);
+    case 2:
+      return this->ChangeTwoFaces(t, faces);
+    case 3:
+      return this->ChangeThreeFaces(t, faces);
+    default:
+      return false;
+  }
 }
 
-/** False where more than one material lies beyond, or nothing. */
+/** False where more than one material lies beyond. What is beyond the convex hull is exterior. */
 bool
 SideChanger::SortFaces(Id t, Faces & faces) const
 {
@@ -44,12 +59,8 @@ SideChanger::SortFaces(Id t, Faces & faces) const
   faces.onInterface = 0;
   for (int f = 0; f < 4; ++f)
   {
-    const Id other = m_State.complex.Neighbour(t, f);
-    if (other == NoTetrahedron)
-    {
-      return false;
-    }
-    const Material m = m_State.complex.MaterialOf(other);
+    const Id       other = m_State.complex.Neighbour(t, f);
+    const Material m = other == NoTetrahedron ? m_State.exterior : m_State.complex.MaterialOf(other);
     if (m == own)
     {
       faces.numbers[--inside] = f;
@@ -65,14 +76,58 @@ SideChanger::SortFaces(Id t, Faces & faces) const
   return faces.onInterface > 0;
 }
 
-/** Whether all tetrahedra around an edge, but one, have this material; false if the edge lies on the outside. */
+/** Whether all around an edge, but one tetrahedron, is of one of two materials. */
 bool
-SideChanger::AllAround(Id t, PointId a, PointId b, Material material)
+SideChanger::AllAround(Id t, PointId a, PointId b, Material first, Material second)
 {
   m_State.complex.GetRing(t, a, b, m_Ring);
-  return m_Ring.closed && std::all_of(m_Ring.tetrahedra.begin(), m_Ring.tetrahedra.end(), [&](Id other) {
-           return other == t || m_State.complex.MaterialOf(other) == material;
+  return (m_Ring.closed || first == m_State.exterior || second == m_State.exterior) &&
+         std::all_of(m_Ring.tetrahedra.begin(), m_Ring.tetrahedra.end(), [&](Id other) {
+           const Material m = m_State.complex.MaterialOf(other);
+           return other == t || m == first || m == second;
          });
+}
+
+bool
+SideChanger::ChangeOneFace(Id t, const Faces & faces)
+{
+  const auto     corners = m_State.complex.Corners(t);
+  const Material own = m_State.complex.MaterialOf(t);
+  const PointId  tip = corners[faces.numbers[0]];
+  // within the mesh the tetrahedron would stay as it is
+  if (faces.beyond != m_State.exterior ||
+      m_State.DistanceToInterface(own, faces.beyond, m_State.points[tip], tip) > m_State.parameters.interfaceTolerance)
+  {
+    return false;
+  }
+  m_State.complex.GetStar(tip, m_Star);
+  for (const Id s : m_Star)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      if (m_State.complex.MaterialOf(s) != own ||
+          (m_State.complex.Corners(s)[f] != tip && m_State.complex.Neighbour(s, f) == NoTetrahedron))
+      {
+        return false;
+      }
+    }
+  }
+  // the tip has to lie above the middle of the face: no fold
+  const auto &  face = TetrahedronFaces[faces.numbers[0]];
+  const Vector  x[3] = { m_State.points[corners[face[0]]], m_State.points[corners[face[1]]], m_State.points[corners[face[2]]] };
+  const Vector  normal = (x[1] - x[0]).cross(x[2] - x[0]);
+  const Vector & y = m_State.points[tip];
+  for (int n = 0; n < 3; ++n)
+  {
+    if ((x[n] - y).cross(x[(n + 1) % 3] - y).dot(normal) <= 0.0 ||
+        TriangleRadiusRatio(y, x[n], x[(n + 1) % 3]) < LeastRadiusRatio)
+    {
+      return false;
+    }
+  }
+  m_State.complex.SetMaterial(t, faces.beyond);
+  ++m_State.report.relabelled;
+  return true;
 }
 
 bool
@@ -86,7 +141,8 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
   const PointId b = corners[faces.numbers[1]];
   const PointId c = corners[faces.numbers[2]];
   const PointId d = corners[faces.numbers[3]];
-  if (!this->AllAround(t, c, d, other) || !this->AllAround(t, a, b, own))
+  // others of its own material at cd only touch it there, which is better ended
+  if (!this->AllAround(t, c, d, other, own) || !this->AllAround(t, a, b, own, own))
   {
     return false;
   }
@@ -121,15 +177,21 @@ SideChanger::ChangeThreeFaces(Id t, const Faces & faces)
 {
   const auto     corners = m_State.complex.Corners(t);
   const Material own = m_State.complex.MaterialOf(t);
-  // the tip is opposite the face that is not on the interface; nothing else of its material may touch it
+  // The tip is opposite the face that is not on the interface. It is inside of the other material then, unless others
+  // of its own material touch the tetrahedron there, which is better ended; but no junction may be cut off.
   const PointId tip = corners[faces.numbers[3]];
   m_State.complex.GetStar(tip, m_Star);
+  bool touched = false;
+  bool junction = false;
   for (const Id s : m_Star)
   {
-    if (s != t && m_State.complex.MaterialOf(s) != faces.beyond)
-    {
-      return false;
-    }
+    const Material m = m_State.complex.MaterialOf(s);
+    touched = touched || (s != t && m == own);
+    junction = junction || (m != own && m != faces.beyond);
+  }
+  if (junction && !touched)
+  {
+    return false;
   }
   Vector centre = Vector::Zero();
   double worstBefore = 1.0;

@@ -25,7 +25,7 @@ namespace mmm
 /** \brief Gives a bad tetrahedron that lies flat on an interface to the material on its other side.
  *
  * With two faces on the interface, these go over to the two others, as if an edge were flipped. With three, the point
- * that they share leaves the interface. The shape of the tetrahedron stays: other operations can take it apart then, or
+ * that they share leaves the interface; with one, the opposite point joins it. The shape of the tetrahedron stays: other operations can take it apart then, or
  * it is a part of the exterior, where shape does not matter. */
 class SideChanger
 {
@@ -49,11 +49,13 @@ private:
   bool
   SortFaces(OptimizerState::Id t, Faces & faces) const;
   bool
+  ChangeOneFace(OptimizerState::Id t, const Faces & faces);
+  bool
   ChangeTwoFaces(OptimizerState::Id t, const Faces & faces);
   bool
   ChangeThreeFaces(OptimizerState::Id t, const Faces & faces);
   bool
-  AllAround(OptimizerState::Id t, PointId a, PointId b, Material material);
+  AllAround(OptimizerState::Id t, PointId a, PointId b, Material first, Material second);
 
   OptimizerState &                m_State;
   EdgeRemover &                   m_EdgeRemover;
