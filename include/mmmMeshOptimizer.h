@@ -27,13 +27,13 @@ namespace mmm
 {
 struct OptimizationParameters
 {
-  /** Tetrahedra with a dihedral angle below this are worked on, in degrees; and those with one so far above that it
-   * matters as much: quality falls off alike at both ends. */
-  double angle{ 18.0 };
-  /** Rounds of flips, collapses and smoothing, worst first; fewer if nothing is gained any more. */
+  /** Tetrahedra with a dihedral angle below this, in degrees, are poor: all is done to improve them, on interfaces too.
+   * Large angles count alike: quality falls off at both ends. */
+  double poorAngle{ 18.0 };
+  /** Below this, edges and faces within a material are flipped. */
+  double flipAngle{ 30.0 };
+  /** Rounds of local changes and smoothing; fewer if nothing is changed any more. */
   int rounds{ 6 };
-  /** Sweeps of smoothing over all points, before the rounds. */
-  int sweeps{ 3 };
   /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */
   double interfaceTolerance{ 0.25 };
 };
@@ -48,10 +48,11 @@ struct OptimizationReport
   int         rounds{ 0 };
 };
 
-/** \brief Improves the worst tetrahedra first: no step lowers the local worst quality.
+/** \brief Improves the worst tetrahedra first: no change of the connectivity lowers the local worst quality.
  *
- * The quality of a tetrahedron is that of its extreme dihedral angles. Points of the interior move freely; points of an
- * interface slide on their own cell by its projection. Edges are removed, on interfaces too (the surface's edge is
+ * The quality of a tetrahedron is that of its extreme dihedral angles. All points move so that the radius ratios around
+ * them grow on average, those of poor tetrahedra so that the worst one gets better. Points of the interior move freely;
+ * points of an interface slide on their own cell by its projection. Edges are removed, on interfaces too (the surface's edge is
  * flipped) where the new one stays near the zero set; faces are flipped, edges collapsed, and a flat tetrahedron on an
  * interface goes to the other side. No step changes the topology of an interface.
  *

@@ -73,6 +73,16 @@ struct RelaxationReport
 MultiMaterialMeshing_EXPORT ParticleSet
 SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed);
 
+/** Adds particles like these around some grid nodes, where those that are there are not dense enough for h. Returns how
+ * many. */
+MultiMaterialMeshing_EXPORT std::size_t
+SeedParticlesAround(const IndicatorSet &             indicators,
+                    const SizingField &              sizing,
+                    int                              exterior,
+                    std::uint64_t                    seed,
+                    const std::vector<std::size_t> & nodes,
+                    ParticleSet &                    particles);
+
 /** \brief Moves the particles of the cells of dimension `dimension` apart until their spacing follows h.
  *
  * Each minimizes the energy of Meyer et al. (2007), E(d) = cot(pi d / 2) + pi d / 2 - pi / 2 for d < 1, where d is the

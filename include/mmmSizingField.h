@@ -35,6 +35,12 @@ public:
     , m_Values(values)
   {}
 
+  const float *
+  Values() const
+  {
+    return m_Values;
+  }
+
   double
   operator()(const Vector & x) const
   {

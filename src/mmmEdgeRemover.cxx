@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "mmmEdgeRemover.h"
 
+#include "mmmMeshOptimizerSmoothing.h"
+
 #include <algorithm>
 
 namespace mmm
@@ -156,7 +158,7 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   {
     add(link, materials[0]);
   }
-  else if (cuts.size() == 2)
+  else if (cuts.size() == 2 && before < QualityOfAngle(m_State.parameters.poorAngle))
   {
     const PointId c = link[cuts[0]];
     const PointId d = link[cuts[1]];

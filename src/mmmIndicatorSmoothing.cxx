@@ -34,7 +34,7 @@ constexpr int BorderContinuation = 3;
  * than half a voxel lets it yield: by how much the radius is larger. */
 constexpr float CentreMargin = 0.1f;
 /** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh. */
-constexpr float ThinCentreMargin = 0.3f;
+constexpr float ThinCentreMargin = 0.2f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */

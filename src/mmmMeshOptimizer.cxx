@@ -46,9 +46,10 @@ public:
     , m_SideChanger(state, m_EdgeRemover)
   {}
 
-  /** Works on all tetrahedra below a quality, worst first. Returns the number of changes. */
+  /** Works on all tetrahedra below a quality, worst first; those that are not below `poorQuality` get flips within their
+   * material only. Returns the number of changes. */
   std::size_t
-  Improve(double quality)
+  Improve(double quality, double poorQuality)
   {
     std::vector<std::pair<double, Id>> bad;
     for (Id t = 0; t < m_State.complex.Size(); ++t)
@@ -72,6 +73,7 @@ public:
       {
         continue;
       }
+      const bool isPoor = m_State.Shape(t) < poorQuality;
       if (m_State.IsExterior(t))
       {
         // a gap this narrow is none
@@ -79,7 +81,8 @@ public:
       }
       else
       {
-        changes += m_SideChanger.GiveToOtherSide(t) || m_EdgeRemover.RemoveAny(t) || this->CollapseAny(t);
+        changes += (isPoor && m_SideChanger.GiveToOtherSide(t)) || m_EdgeRemover.RemoveAny(t) ||
+                   (isPoor && this->CollapseAny(t));
       }
     }
     return changes;
@@ -114,15 +117,10 @@ OptimizeMesh(const IndicatorSet &           indicators,
              Monitor &                      monitor)
 {
   OptimizationReport report;
-  const double       quality = QualityOfAngle(parameters.angle);
-  {
-    PointSmoother smoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials);
-    for (int sweep = 0; sweep < parameters.sweeps; ++sweep)
-    {
-      report.moves += smoother.SmoothAll();
-      monitor.Report(0.3 * (sweep + 1) / parameters.sweeps);
-    }
-  }
+  const double       flipQuality = QualityOfAngle(parameters.flipAngle);
+  const double       poorQuality = QualityOfAngle(parameters.poorAngle);
+  report.moves += PointSmoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials).SmoothAll();
+  monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
     std::size_t changes = 0;
@@ -130,15 +128,15 @@ OptimizeMesh(const IndicatorSet &           indicators,
       OptimizerState state{ indicators, exterior, cells,
                             parameters, points,   TetrahedralComplex(mesh, points.size()),
                             report };
-      changes = ConnectivityImprover(state).Improve(quality);
+      changes = ConnectivityImprover(state).Improve(flipQuality, poorQuality);
       mesh = state.complex.GetMesh();
     }
-    PointSmoother     smoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials);
-    const std::size_t moves = smoother.SmoothWorst(quality);
-    report.moves += moves;
+    PointSmoother smoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials);
+    report.moves += smoother.SmoothWorst(poorQuality);
+    report.moves += smoother.SmoothAll();
     report.rounds = round + 1;
-    monitor.Report(0.3 + 0.7 * (round + 1) / parameters.rounds);
-    if (changes + moves == 0)
+    monitor.Report(0.1 + 0.9 * (round + 1) / parameters.rounds);
+    if (changes == 0)
     {
       break;
     }

@@ -28,10 +28,12 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** A triangle of an interface may become this bad for the sake of a tetrahedron, but not worse: on average the triangles
- * are to stay good, at a bad tetrahedron it matters more. */
-constexpr double TriangleFloorOnAverage = 0.85;
-constexpr double TriangleFloorAtWorst = 0.4;
+/** A triangle of an interface may become this bad for the sake of a poor tetrahedron, but not worse. */
+constexpr double TriangleFloor = 0.4;
+/** How much an interface triangle's radius ratio counts against a tetrahedron's. */
+constexpr double TriangleWeight = 1.0;
+/** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
+constexpr double AngleToKeep = 30.0;
 constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
@@ -216,14 +218,12 @@ PointSmoother::MoveByColour(TMove && move)
 std::size_t
 PointSmoother::SmoothAll()
 {
-  m_TriangleFloor = TriangleFloorOnAverage;
-  return this->MoveByColour([this](PointId p) { return this->MoveToAverage(p); });
+  return this->MoveByColour([this](PointId p) { return this->MoveUphillOnAverage(p); });
 }
 
 std::size_t
 PointSmoother::SmoothWorst(double quality)
 {
-  m_TriangleFloor = TriangleFloorAtWorst;
   return this->MoveByColour([this, quality](PointId p) { return this->MoveUphill(p, quality); });
 }
 
@@ -282,7 +282,7 @@ PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
   if (m_Freedom[p] == Freedom::OnCell)
   {
     const double triangle = this->WorstTriangleAround(p, x);
-    if (triangle < m_TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
+    if (triangle < TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
     {
       return false;
     }
@@ -310,34 +310,91 @@ PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
   return (a + b + c) / 3.0 - height / area * normal;
 }
 
-/** The average of the ideal places; the worse a tetrahedron is, the more it is heard. */
-bool
-PointSmoother::MoveToAverage(PointId p)
+/** The sum of the radius ratios around p if it were at x, of tetrahedra and interface triangles. */
+double
+PointSmoother::TotalAround(PointId p, const Vector & x) const
 {
-  Vector sum = Vector::Zero();
-  double weights = 0.0;
-  double worst = 2.0;
+  double total = 0.0;
   for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
   {
     if (this->IsExterior(m_Star[s]))
     {
       continue;
     }
-    const auto & t = m_Tetrahedra[m_Star[s]];
-    const double quality = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
-    const double weight = 1.0 / (0.05 + std::max(0.0, quality));
-    sum += weight * this->IdealPlace(p, t);
-    weights += weight;
-    worst = std::min(worst, quality);
+    const auto &   t = m_Tetrahedra[m_Star[s]];
+    const Vector * corners[4];
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
+    }
+    total += TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
   }
-  if (!(weights > 0.0))
+  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
+  {
+    total += TriangleWeight * TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]);
+  }
+  return total;
+}
+
+/** A step uphill in the sum of radius ratios. Where the worst tetrahedron around is good, it may lose a little. */
+bool
+PointSmoother::MoveUphillOnAverage(PointId p)
+{
+  double shortest = 1e300;
+  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  {
+    for (const auto corner : m_Tetrahedra[m_Star[s]])
+    {
+      if (corner != p)
+      {
+        shortest = std::min(shortest, (m_Points[corner] - m_Points[p]).squaredNorm());
+      }
+    }
+  }
+  shortest = std::sqrt(shortest);
+  const Vector from = m_Points[p];
+  const double total = this->TotalAround(p, from);
+  const double delta = 1e-3 * shortest;
+  Vector       gradient;
+  for (int a = 0; a < 3; ++a)
+  {
+    gradient[a] = this->TotalAround(p, from + delta * Vector::Unit(a)) - total;
+  }
+  if (m_Freedom[p] == Freedom::OnCell)
+  {
+    const Cell & cell = m_Cells[p];
+    if (cell.Dimension() == 2)
+    {
+      const Vector normal = m_Indicators.Normal(cell, from);
+      gradient -= normal * normal.dot(gradient);
+    }
+    else if (cell.Dimension() == 1)
+    {
+      const Vector tangent = m_Indicators.Tangent(cell, from);
+      gradient = tangent * tangent.dot(gradient);
+    }
+  }
+  const double length = gradient.norm();
+  if (!(length > 0.0))
   {
     return false;
   }
-  const Vector target = sum / weights;
-  // far from the worst there is room: a little may be given up for the average
-  double least = std::min(worst, QualityOfAngle(30.0));
-  return this->TryMove(p, target, least) || this->TryMove(p, 0.5 * (target + m_Points[p]), least);
+  const double least = std::min(this->WorstAround(p, from, -2.0), QualityOfAngle(AngleToKeep));
+  for (double step = 0.16; step > 0.015; step *= 0.5)
+  {
+    Vector x = from + gradient * (step * shortest / length);
+    if (m_Freedom[p] == Freedom::OnCell &&
+        (!m_Indicators.Project(m_Cells[p], x, 1.0) || !m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance)))
+    {
+      continue;
+    }
+    if (this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
+    {
+      m_Points[p] = x;
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Searches for a place where the worst tetrahedron is better: towards what the worst ones want, then all around. */

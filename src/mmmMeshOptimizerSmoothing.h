@@ -73,7 +73,7 @@ public:
                 const std::vector<Tetrahedron> & tetrahedra,
                 const std::vector<Material> &    materials);
 
-  /** Moves all points towards where their tetrahedra want them on average. Returns the number of moves. */
+  /** Moves all points so that the radius ratios around them grow on average. Returns the number of moves. */
   std::size_t
   SmoothAll();
   /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. */
@@ -95,8 +95,10 @@ private:
   MoveByColour(TMove && move);
   Vector
   IdealPlace(PointId p, const Tetrahedron & t) const;
+  double
+  TotalAround(PointId p, const Vector & x) const;
   bool
-  MoveToAverage(PointId p);
+  MoveUphillOnAverage(PointId p);
   bool
   MoveUphill(PointId p, double quality);
   double
@@ -112,7 +114,6 @@ private:
   std::vector<Vector> &            m_Points;
   const std::vector<Tetrahedron> & m_Tetrahedra;
   const std::vector<Material> &    m_Materials;
-  double                           m_TriangleFloor{ 0.0 };
   std::vector<Freedom>             m_Freedom;
   std::vector<std::uint32_t>       m_StarStart;
   std::vector<std::uint32_t>       m_Star;

@@ -18,8 +18,10 @@
 #include "mmmMesher.h"
 
 #include "mmmInteriorParticles.h"
+#include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmParticleMerging.h"
+#include "mmmSourcePropagation.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
 #include "mmmTetGen.h"
@@ -37,8 +39,25 @@ const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxatio
 /** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
 constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 4;
+/** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
+ * spacing, which grows around them at this rate. */
+constexpr float  RecoverySize = 0.5f;
+constexpr double RecoveryGrowth = 0.5;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
+
+/** Makes sizes small at some nodes, and so around them that they grow with distance no faster than usual. */
+void
+RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vector<float> & sizes)
+{
+  std::vector<Source> sources;
+  for (const auto n : nodes)
+  {
+    sources.push_back({ grid.Position(grid.IndexAt(n)).cast<float>(), RecoverySize });
+  }
+  const auto refined = PropagateSources(grid, sources, RecoveryGrowth).values;
+  std::transform(sizes.begin(), sizes.end(), refined.begin(), sizes.begin(), [](float a, float b) { return std::min(a, b); });
+}
 
 /** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */
 std::size_t
@@ -186,7 +205,7 @@ DropMaterial(Material material, TetrahedralMesh & mesh)
 
 void
 BuildMesh(const IndicatorSet &      indicators,
-          const SizingField &       sizing,
+          const SizingField &       wantedSizing,
           const MeshingParameters & parameters,
           Monitor &                 monitor,
           MeshingResult &           result)
@@ -195,6 +214,10 @@ BuildMesh(const IndicatorSet &      indicators,
     Material(parameters.exterior >= 0 ? std::size_t(parameters.exterior) : indicators.GetNumberOfMaterials());
   MeshingReport & report = result.report;
   ParticleSet &   particles = result.particles;
+
+  const float * const wanted = wantedSizing.Values();
+  std::vector<float>  sizes(wanted, wanted + indicators.GetGrid().NumberOfNodes());
+  const SizingField   sizing(indicators.GetGrid(), sizes.data());
 
   monitor.BeginStage("seeding of particles");
   particles = SeedParticles(indicators, sizing, parameters.exterior, parameters.seed);
@@ -222,8 +245,11 @@ BuildMesh(const IndicatorSet &      indicators,
     result.interfaces = ExtractInterfaces(labelled, exterior);
     if (round < SurfaceRounds)
     {
+      const auto lost = FindLostNodes(indicators, particles.positions, labelled, exterior);
       RelaxOnSurface(indicators, sizing, result.interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
       MergeCloseParticles(indicators, sizing, particles);
+      RefineSizes(indicators.GetGrid(), lost, sizes);
+      SeedParticlesAround(indicators, sizing, parameters.exterior, parameters.seed, lost, particles);
     }
     monitor.Report(double(round + 1) / (SurfaceRounds + 1));
   }

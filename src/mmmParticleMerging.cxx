@@ -17,10 +17,10 @@
  *=========================================================================*/
 #include "mmmParticleMerging.h"
 
+#include "mmmCellNumbers.h"
 #include "mmmPointBins.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace mmm
@@ -32,34 +32,6 @@ constexpr double SheetDistance = 0.35;
 /** junctions below this, and points of different sheets below this, in units of the smallest voxel spacing. */
 constexpr double JunctionDistance = 0.3;
 constexpr double LayerDistance = 0.15;
-
-/** Numbers for cells, of which joining makes new ones. */
-class CellNumbers
-{
-public:
-  explicit CellNumbers(std::vector<Cell> & table)
-    : m_Table(table)
-  {
-    for (std::uint32_t n = 0; n < table.size(); ++n)
-    {
-      m_Numbers.insert({ table[n], n });
-    }
-  }
-  std::uint32_t
-  operator()(const Cell & cell)
-  {
-    const auto entry = m_Numbers.insert({ cell, std::uint32_t(m_Table.size()) });
-    if (entry.second)
-    {
-      m_Table.push_back(cell);
-    }
-    return entry.first->second;
-  }
-
-private:
-  std::vector<Cell> &           m_Table;
-  std::map<Cell, std::uint32_t> m_Numbers;
-};
 } // namespace
 
 std::size_t

@@ -15,13 +15,13 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "mmmCellNumbers.h"
 #include "mmmHash.h"
 #include "mmmParallel.h"
 #include "mmmParticles.h"
 #include "mmmPointBins.h"
 
 #include <algorithm>
-#include <map>
 
 namespace mmm
 {
@@ -138,22 +138,17 @@ private:
   const int            m_Exterior;
 };
 
+/** Seeds from the cubes with these lowest nodes, in their order. */
 std::vector<Seed>
-CollectSeeds(const IndicatorSet & indicators, int exterior)
+CollectSeeds(const IndicatorSet & indicators, int exterior, const std::vector<Index> & cubes)
 {
-  const Grid &                   grid = indicators.GetGrid();
+  constexpr std::size_t          Grain = 256;
   const CubeSeeder               seeder(indicators, exterior);
-  std::vector<std::vector<Seed>> parts(grid.size[2] + 1);
-  ParallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
+  std::vector<std::vector<Seed>> parts((cubes.size() + Grain - 1) / Grain);
+  ParallelFor(cubes.size(), Grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
     {
-      for (int j = -1; j < grid.size[1]; ++j)
-      {
-        for (int i = -1; i < grid.size[0]; ++i)
-        {
-          seeder.SeedCube(Index{ { i, j, int(k) - 1 } }, parts[k]);
-        }
-      }
+      seeder.SeedCube(cubes[c], parts[begin / Grain]);
     }
   });
   std::vector<Seed> seeds;
@@ -164,12 +159,15 @@ CollectSeeds(const IndicatorSet & indicators, int exterior)
   }
   return seeds;
 }
-} // namespace
 
-ParticleSet
-SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
+/** Adds those seeds that are far enough from all particles before them: those of lower cells first, then at random. */
+std::size_t
+AddThinned(const IndicatorSet & indicators,
+           const SizingField &  sizing,
+           std::uint64_t        seed,
+           std::vector<Seed>    seeds,
+           ParticleSet &        particles)
 {
-  std::vector<Seed> seeds = CollectSeeds(indicators, exterior);
   for (std::size_t s = 0; s < seeds.size(); ++s)
   {
     seeds[s].order = Hash(seed ^ Hash(s));
@@ -177,17 +175,18 @@ SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int e
   std::sort(seeds.begin(), seeds.end(), [](const Seed & a, const Seed & b) {
     return a.cell.count != b.cell.count ? a.cell.count > b.cell.count : a.order < b.order;
   });
-
-  ParticleSet                         particles;
-  std::map<Cell, std::uint32_t>       numbers;
-  PointBins                           binning(indicators.GetGrid(), 2.0);
+  const std::size_t                       before = particles.Size();
+  CellNumbers                             numbers(particles.cellTable);
+  PointBins                               binning(indicators.GetGrid(), 2.0);
   std::vector<std::vector<std::uint32_t>> bins(binning.NumberOfBins());
-  std::vector<Vector>                 normals;
+  for (std::size_t p = 0; p < before; ++p)
+  {
+    bins[binning.BinAt(particles.positions[p])].push_back(std::uint32_t(p));
+  }
   for (const Seed & candidate : seeds)
   {
     const double h = sizing(candidate.position);
     const double reach = ThinningDistance * h;
-    const bool   surface = candidate.cell.count == 2;
     bool         free = true;
     binning.VisitBins(candidate.position, reach, [&](std::size_t bin) {
       for (const auto p : bins[bin])
@@ -199,23 +198,63 @@ SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int e
         const Cell & other = particles.CellOf(p);
         if (other.Includes(candidate.cell) && (particles.positions[p] - candidate.position).squaredNorm() < reach * reach)
         {
-          free = surface && other == candidate.cell && normals[p].dot(candidate.normal) <= 0.0;
+          // the other side of a thin gap does not count
+          free = candidate.cell.count == 2 && other == candidate.cell &&
+                 indicators.Normal(other, particles.positions[p]).dot(candidate.normal) <= 0.0;
         }
       }
     });
     if (free)
     {
-      const auto entry = numbers.insert({ candidate.cell, std::uint32_t(numbers.size()) });
-      if (entry.second)
-      {
-        particles.cellTable.push_back(candidate.cell);
-      }
       bins[binning.BinAt(candidate.position)].push_back(std::uint32_t(particles.Size()));
       particles.positions.push_back(candidate.position);
-      particles.cells.push_back(entry.first->second);
-      normals.push_back(candidate.normal);
+      particles.cells.push_back(numbers(candidate.cell));
     }
   }
+  return particles.Size() - before;
+}
+} // namespace
+
+ParticleSet
+SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
+{
+  const Grid &       grid = indicators.GetGrid();
+  std::vector<Index> cubes;
+  cubes.reserve(std::size_t(grid.size[0] + 1) * (grid.size[1] + 1) * (grid.size[2] + 1));
+  for (int k = -1; k < grid.size[2]; ++k)
+  {
+    for (int j = -1; j < grid.size[1]; ++j)
+    {
+      for (int i = -1; i < grid.size[0]; ++i)
+      {
+        cubes.push_back(Index{ { i, j, k } });
+      }
+    }
+  }
+  ParticleSet particles;
+  AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes), particles);
   return particles;
+}
+
+std::size_t
+SeedParticlesAround(const IndicatorSet &             indicators,
+                    const SizingField &              sizing,
+                    int                              exterior,
+                    std::uint64_t                    seed,
+                    const std::vector<std::size_t> & nodes,
+                    ParticleSet &                    particles)
+{
+  std::vector<Index> cubes;
+  for (const auto n : nodes)
+  {
+    const Index at = indicators.GetGrid().IndexAt(n);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      cubes.push_back(Index{ { at[0] - (corner & 1), at[1] - ((corner >> 1) & 1), at[2] - (corner >> 2) } });
+    }
+  }
+  std::sort(cubes.begin(), cubes.end());
+  cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
+  return AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes), particles);
 }
 } // namespace mmm

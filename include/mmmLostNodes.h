@@ -1,0 +1,39 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmLostNodes_h
+#define mmmLostNodes_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmIndicatorSet.h"
+#include "mmmTetrahedralMesh.h"
+
+namespace mmm
+{
+/** \brief The grid nodes where a labelled tetrahedralization misses a part of a material.
+ *
+ * Such a node lies in a tetrahedron of another material, and so do all of its 6 neighbours of its own material: it is
+ * not the interface that is a little off, but a thread, a sheet or a tip is gone. `exterior` is the material of what the
+ * tetrahedra do not fill. The nodes are sorted. */
+MultiMaterialMeshing_EXPORT std::vector<std::size_t>
+FindLostNodes(const IndicatorSet &        indicators,
+              const std::vector<Vector> & points,
+              const TetrahedralMesh &     mesh,
+              Material                    exterior);
+} // namespace mmm
+
+#endif
