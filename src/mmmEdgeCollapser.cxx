@@ -60,15 +60,16 @@ EdgeCollapser::Collapse(Id t, PointId u, PointId v)
   {
     return false; // on a junction
   }
+  const double before = m_State.WorstOf(m_Star);
   if (aroundU.size() == 2)
   {
+    const double floor = OptimizerState::TriangleFloor(before);
     if (u >= m_State.cells.size() || m_State.cells[u].Dimension() != 2 || v >= m_State.cells.size() ||
-        !m_State.cells[v].Includes(m_State.cells[u]) || !this->MayCollapseOnInterface(t, u, v, aroundU))
+        !m_State.cells[v].Includes(m_State.cells[u]) || !this->MayCollapseOnInterface(t, u, v, aroundU, floor))
     {
       return false;
     }
   }
-  const double before = m_State.WorstOf(m_Star);
   std::vector<Element> fresh;
   for (const Id s : m_Star)
   {
@@ -131,7 +132,7 @@ EdgeCollapser::LinksMeetInRing(Id t, PointId u, PointId v)
 /** Whether point u of a surface may slide into v: the edge lies on the surface, the surface's own links meet in two
  * points only, and its new triangles are good, unfolded and near the zero set. */
 bool
-EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vector<Material> & materials)
+EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vector<Material> & materials, double floor)
 {
   m_State.complex.GetRing(t, u, v, m_Ring);
   int  cuts = m_Ring.closed ? 0 : 2;
@@ -201,7 +202,7 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vec
     const Vector   before = (p - m_State.points[u]).cross(q - m_State.points[u]);
     const Vector   after = (p - m_State.points[v]).cross(q - m_State.points[v]);
     if (before.dot(after) <= 0.5 * before.norm() * after.norm() ||
-        TriangleRadiusRatio(m_State.points[v], p, q) < OptimizerState::TriangleFloor ||
+        TriangleRadiusRatio(m_State.points[v], p, q) < floor ||
         m_State.DistanceToInterface(materials[0], materials[1], (p + q + m_State.points[v]) / 3.0, edge[0]) >
           m_State.parameters.interfaceTolerance)
     {

@@ -164,7 +164,7 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
     const PointId d = link[cuts[1]];
     const Material one = materials[cuts[0]];
     const Material two = m_Ring.closed ? materials[cuts[1] % count] : m_State.exterior;
-    if (!this->MayFlip(a, b, c, d, one, two) || (!m_Ring.closed && this->AreNeighbours(c, d)))
+    if (!this->MayFlip(a, b, c, d, one, two, OptimizerState::TriangleFloor(before)) || (!m_Ring.closed && this->AreNeighbours(c, d)))
     {
       return false;
     }
@@ -202,7 +202,7 @@ EdgeRemover::AreNeighbours(PointId p, PointId q)
 
 /** Whether the edge ab of an interface may become cd. */
 bool
-EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, Material two) const
+EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, Material two, double floor) const
 {
   const Vector & pa = m_State.points[a];
   const Vector & pb = m_State.points[b];
@@ -225,7 +225,7 @@ EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, M
   }
   const double worstBefore = std::min(TriangleRadiusRatio(pa, pb, pc), TriangleRadiusRatio(pa, pb, pd));
   const double worstAfter = std::min(TriangleRadiusRatio(pa, pc, pd), TriangleRadiusRatio(pb, pc, pd));
-  return worstAfter >= std::min(worstBefore, OptimizerState::TriangleFloor);
+  return worstAfter >= std::min(worstBefore, floor);
 }
 
 /** Two tetrahedra of one material become three around a new edge. */

@@ -55,7 +55,7 @@ private:
   bool
   AreNeighbours(PointId p, PointId q);
   bool
-  MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, Material two) const;
+  MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, Material two, double floor) const;
 
   OptimizerState &                m_State;
   TetrahedralComplex::Ring        m_Ring;

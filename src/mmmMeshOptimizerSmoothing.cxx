@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmMeshOptimizerSmoothing.h"
 
+#include "mmmOptimizerState.h"
 #include "mmmParallel.h"
 #include "mmmTetrahedronNeighbours.h"
 
@@ -28,8 +29,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** A triangle of an interface may become this bad for the sake of a poor tetrahedron, but not worse. */
-constexpr double TriangleFloor = 0.4;
 /** How much an interface triangle's radius ratio counts against a tetrahedron's. */
 constexpr double TriangleWeight = 1.0;
 /** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
@@ -282,7 +281,7 @@ PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
   if (m_Freedom[p] == Freedom::OnCell)
   {
     const double triangle = this->WorstTriangleAround(p, x);
-    if (triangle < TriangleFloor && triangle < this->WorstTriangleAround(p, m_Points[p]))
+    if (triangle < OptimizerState::TriangleFloor(worst) && triangle < this->WorstTriangleAround(p, m_Points[p]))
     {
       return false;
     }

@@ -25,6 +25,12 @@
 namespace mmm
 {
 double
+OptimizerState::TriangleFloor(double quality)
+{
+  return quality < QualityOfAngle(10.0) ? 0.15 : 0.4;
+}
+
+double
 OptimizerState::Shape(Id t) const
 {
   const auto & c = complex.Corners(t);

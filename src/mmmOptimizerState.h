@@ -32,8 +32,10 @@ struct OptimizerState
 
   /** An operation has to raise the worst quality by this much. */
   static constexpr double LeastGain = 1e-6;
-  /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces. */
-  static constexpr double TriangleFloor = 0.4;
+  /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces: the floor is
+   * lower where it is to get rid of a tetrahedron of very low quality. */
+  static double
+  TriangleFloor(double quality);
 
   const IndicatorSet &           indicators;
   const Material                 exterior;

@@ -157,7 +157,7 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
                                       TriangleRadiusRatio(points[c], points[d], points[b]));
   const double worstAfter = std::min(TriangleRadiusRatio(points[a], points[b], points[c]),
                                      TriangleRadiusRatio(points[a], points[b], points[d]));
-  if (worstAfter < std::min(worstBefore, OptimizerState::TriangleFloor))
+  if (worstAfter < std::min(worstBefore, OptimizerState::TriangleFloor(m_State.Quality(t))))
   {
     return false;
   }
@@ -209,7 +209,7 @@ SideChanger::ChangeThreeFaces(Id t, const Faces & faces)
   const PointId c = corners[faces.numbers[2]];
   if (m_State.DistanceToInterface(own, faces.beyond, centre, a) > m_State.parameters.interfaceTolerance ||
       TriangleRadiusRatio(m_State.points[a], m_State.points[b], m_State.points[c]) <
-        std::min(worstBefore, OptimizerState::TriangleFloor))
+        std::min(worstBefore, OptimizerState::TriangleFloor(m_State.Quality(t))))
   {
     return false;
   }
