@@ -19,6 +19,7 @@
 
 #include "Errors.h"
 #include "OptionTable.h"
+#include "SlicerDescription.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,6 +38,15 @@ std::string
 NameOf(const Option & option)
 {
   return option.IsPositional() ? option.name : "--" + option.name;
+}
+
+/** All spellings, as CLI11 takes them: "--min-island,--min_island". */
+std::string
+SpellingsOf(const Option & option)
+{
+  const std::string name = NameOf(option);
+  const std::string slicerName = "--" + SlicerName(option);
+  return option.IsPositional() || slicerName == name ? name : name + ',' + slicerName;
 }
 
 std::string
@@ -117,7 +127,7 @@ public:
   void
   operator()(bool Settings::* field) const
   {
-    m_Parser.add_flag(NameOf(m_Option), m_Settings.*field);
+    m_Parser.add_flag(SpellingsOf(m_Option), m_Settings.*field);
   }
 
   void
@@ -158,7 +168,7 @@ private:
   void
   AddText(const std::function<void(const std::string &)> & take) const
   {
-    m_Parser.add_option_function<std::string>(NameOf(m_Option), take)
+    m_Parser.add_option_function<std::string>(SpellingsOf(m_Option), take)
       ->required(m_Option.IsPositional())
       ->type_name(m_Option.placeholder);
   }
@@ -220,13 +230,20 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
   parser.set_help_flag("");
   const CLI::Option * const help = parser.add_flag("-h,--help");
   const CLI::Option * const version = parser.add_flag("--version");
+  const CLI::Option * const xml = parser.add_flag("--xml");
+  const CLI::Option * const logo = parser.add_flag("--logo");
+  // Slicer may pass these: an address in its own memory, which is of use to modules in libraries only, and a file for
+  // numbers and texts to return, of which there are none.
+  std::string ignored;
+  parser.add_option("--processinformationaddress", ignored);
+  parser.add_option("--returnparameterfile", ignored);
   for (const Option & option : OptionTable())
   {
     std::visit(OptionAdder(parser, option, settings), option.field);
   }
 
   // Whoever asks for help is not told first what else is wrong.
-  const auto isHelp = [&] { return help->count() > 0 || version->count() > 0; };
+  const auto isHelp = [&] { return help->count() + version->count() + xml->count() + logo->count() > 0; };
   try
   {
     parser.parse(argc, argv);
@@ -247,7 +264,10 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
   }
   if (isHelp())
   {
-    return help->count() > 0 ? Request::Help : Request::Version;
+    return help->count() > 0   ? Request::Help
+           : xml->count() > 0  ? Request::SlicerDescription
+           : logo->count() > 0 ? Request::SlicerLogo
+                               : Request::Version;
   }
   settings.exteriorIsListed = parser.get_option("--exterior")->count() > 0;
   CheckTogether(settings);

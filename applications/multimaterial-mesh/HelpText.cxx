@@ -67,6 +67,12 @@ Remark(const Option & option)
 }
 } // namespace
 
+std::string
+DescribeOption(const Option & option)
+{
+  return option.help + Remark(option);
+}
+
 void
 PrintHelp(std::ostream & os)
 {
@@ -87,9 +93,11 @@ PrintHelp(std::ostream & os)
     {
       name += ' ' + option.placeholder;
     }
-    PrintEntry(os, name, option.help + Remark(option));
+    PrintEntry(os, name, DescribeOption(option));
   }
   os << "\nOther\n";
+  PrintEntry(os, "--xml", "Print the description that 3D Slicer makes its panel from.");
+  PrintEntry(os, "--logo", "Print nothing; Slicer asks for it.");
   PrintEntry(os, "--version", "Print the version.");
   PrintEntry(os, "-h, --help", "Print this help.");
 }

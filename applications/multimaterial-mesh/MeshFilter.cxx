@@ -84,7 +84,7 @@ void
 RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & display)
 {
   filter.AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
-    display.Show(filter.GetCurrentStage(), filter.GetStageProgress());
+    display.Show(filter.GetCurrentStage(), filter.GetStageProgress(), filter.GetProgress());
     if (GetInterruption() != 0)
     {
       filter.AbortGenerateDataOn();

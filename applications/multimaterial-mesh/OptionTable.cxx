@@ -248,6 +248,17 @@ MakeTable()
       AnyValue,
       "",
       "Print warnings and errors only." },
+    { "slicer-progress",
+      &Settings::slicerProgress,
+      Kind::Flag,
+      Channel::Input,
+      "Advanced",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Print progress as the XML elements that 3D Slicer reads, which passes this option.",
+      true },
   };
 }
 } // namespace

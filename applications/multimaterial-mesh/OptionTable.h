@@ -80,6 +80,8 @@ struct Option
   /** In words; empty where there is none. */
   std::string defaultValue;
   std::string help;
+  /** Set by a graphical interface, without asking its user. */
+  bool isHidden{ false };
 
   bool
   IsPositional() const;

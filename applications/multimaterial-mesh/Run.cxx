@@ -163,10 +163,12 @@ Run(Settings settings)
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(itk::ThreadIdType(*settings.threads));
   }
 
-  ProgressDisplay display(settings.quiet);
+  ProgressDisplay display(settings.quiet            ? ProgressDisplay::Style::None
+                          : settings.slicerProgress ? ProgressDisplay::Style::Slicer
+                                                    : ProgressDisplay::Style::Text);
   StageClock      clock(display);
   Outcome         outcome;
-  clock.Run("reading", [&] {
+  clock.Run("reading", 0.0, [&] {
     outcome.labels = ReadLabelImage(settings.labels);
     outcome.voxels = CheckLabels(settings.labels, *outcome.labels);
     WarnOfAbsentExterior(settings, outcome.voxels);
@@ -177,8 +179,8 @@ Run(Settings settings)
   RunMeshFilter(*outcome.filter, settings, display);
   clock.Append(outcome.filter->GetStageRecords());
   TakeMeshes(outcome);
-  clock.Run("quality", [&] { MeasureQuality(outcome); });
-  clock.Run("writing", [&] {
+  clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });
+  clock.Run("writing", 1.0, [&] {
     WriteMeshes(outcome);
     WriteImages(outcome);
   });

@@ -56,6 +56,7 @@ struct Settings
   std::optional<std::uint64_t> threads;
   std::uint64_t                seed{ 1 };
   bool                         quiet{ false };
+  bool                         slicerProgress{ false };
 };
 } // namespace cli
 

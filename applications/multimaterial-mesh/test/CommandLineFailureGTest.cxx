@@ -103,6 +103,24 @@ TEST_F(CommandLineFailure, InterruptionLeavesNoFile)
   EXPECT_EQ(this->Files(), std::set<std::string>{ "large.nrrd" });
 }
 
+TEST_F(CommandLineFailure, TerminationLeavesNoFile)
+{
+  const std::string runAndTerminate = "\"$@\" > \"$OUT\" & pid=$!; "
+                                      "until grep -q '<filter-progress>' \"$OUT\"; do sleep 0.1; done; "
+                                      "kill -TERM $pid; wait $pid";
+  const auto        result = Start({ "/bin/sh",
+                                     "-c",
+                                     "export OUT='" + this->Path("stdout.txt") + "'; " + runAndTerminate,
+                                     "sh",
+                                     MULTIMATERIAL_MESH,
+                                     this->WriteLargeImage(),
+                                     this->Path("out.vtu"),
+                                     "--slicer-progress" });
+  EXPECT_EQ(result.exitCode, 143);
+  EXPECT_NE(result.error.find("multimaterial-mesh: aborted\n"), std::string::npos) << result.error;
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "large.nrrd", "stdout.txt" }));
+}
+
 TEST_F(CommandLineFailure, OutOfMemory)
 {
 #if defined(__SANITIZE_ADDRESS__) || defined(__APPLE__)
