@@ -18,11 +18,13 @@
 #include "CommandLine.h"
 
 #include "Errors.h"
+#include "MeshFormat.h"
 #include "OptionTable.h"
 #include "SlicerDescription.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -114,6 +116,21 @@ ParseLabels(const Option & option, const std::string & text)
   }
 }
 
+void
+CheckChoice(const Option & option, const std::string & text)
+{
+  if (option.kind == Kind::Choice &&
+      std::find(option.choices.begin(), option.choices.end(), text) == option.choices.end())
+  {
+    std::string all;
+    for (const std::string & choice : option.choices)
+    {
+      all += (all.empty() ? "" : ", ") + choice;
+    }
+    throw UsageError("--" + option.name + " is '" + text + "'; it has to be one of " + all);
+  }
+}
+
 /** Adds an option to the parser, by the type of the member of Settings that it fills. */
 class OptionAdder
 {
@@ -146,6 +163,7 @@ public:
       {
         throw UsageError(NameOf(this_.m_Option) + " is empty; it has to be a file name");
       }
+      CheckChoice(this_.m_Option, text);
       this_.m_Settings.*field = text;
     });
   }
@@ -188,14 +206,31 @@ private:
 };
 
 void
-CheckMeshName(const std::string & option, const std::string & fileName)
+CheckMeshName(const Option & option, const Settings & settings)
 {
-  const std::string extension = ".vtu";
-  if (!fileName.empty() && (fileName.size() <= extension.size() ||
-                            fileName.compare(fileName.size() - extension.size(), extension.size(), extension) != 0))
+  const bool   isSurface = option.kind == Kind::Surface || (option.IsPositional() && settings.surfaceOnly);
+  const auto   kind = option.kind == Kind::Particles ? MeshKind::Points
+                      : isSurface                    ? MeshKind::Surface
+                                                     : MeshKind::Volume;
+  const auto & fileName = settings.*std::get<std::string Settings::*>(option.field);
+  if (!fileName.empty() && ExtensionFor(kind, fileName).empty())
   {
-    throw UsageError(option + " is '" + fileName + "'; meshes are written as .vtu (VTK XML unstructured grid) only");
+    const char * const what = kind == MeshKind::Volume    ? "meshes"
+                              : kind == MeshKind::Surface ? "surfaces"
+                                                          : "particles";
+    throw UsageError(NameOf(option) + " is '" + fileName + "'; " + what + " are written as " +
+                     DescribeExtensions(kind));
   }
+}
+
+/** Whether a file is written that does not say what its points are in. */
+bool
+HasFileWithoutSpace(const Settings & settings)
+{
+  const auto isVTU = [](const std::string & name) {
+    return name.empty() || ExtensionFor(MeshKind::Points, name) == ".vtu";
+  };
+  return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
 }
 
 /** What no single option can tell. */
@@ -204,9 +239,9 @@ CheckTogether(const Settings & settings)
 {
   for (const Option & option : OptionTable())
   {
-    if (option.kind == Kind::Mesh)
+    if (option.kind == Kind::Mesh || option.kind == Kind::Surface || option.kind == Kind::Particles)
     {
-      CheckMeshName(NameOf(option), settings.*std::get<std::string Settings::*>(option.field));
+      CheckMeshName(option, settings);
     }
   }
   if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
@@ -218,6 +253,10 @@ CheckTogether(const Settings & settings)
   if (settings.surfaceOnly && !settings.surface.empty())
   {
     throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
+  }
+  if (settings.ras && !HasFileWithoutSpace(settings))
+  {
+    throw UsageError("--ras is for other files than .vtu, which say that their points are in LPS");
   }
 }
 } // namespace

@@ -47,7 +47,7 @@ KeepSurface(MeshFilter & filter, const std::string & fileName)
   surface->DisconnectPipeline();
   try
   {
-    WriteMesh(surface, fileName);
+    WriteSurface(surface, fileName, MeshStyle{});
   }
   catch (const std::exception &)
   {

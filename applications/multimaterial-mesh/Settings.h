@@ -40,6 +40,9 @@ struct Settings
   std::string surface;
   std::string particles;
   bool        surfaceOnly{ false };
+  std::string surfacePrefix;
+  std::string mshFormat{ "4.1" };
+  bool        ras{ false };
   std::string report;
 
   std::optional<double> radius;

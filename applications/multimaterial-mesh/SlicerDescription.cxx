@@ -117,7 +117,11 @@ Element(const Option & option, std::string & attributes)
     case Kind::ScalarImage:
       attributes = " type=\"scalar\"";
       return "image";
+    case Kind::Choice:
+      return "string-enumeration";
     case Kind::Mesh:
+    case Kind::Surface:
+    case Kind::Particles:
       attributes = " type=\"model\" fileExtensions=\".vtu\"";
       return "geometry";
     case Kind::File:
@@ -144,7 +148,7 @@ DefaultValue(const Option & option)
         // What is hidden is there for Slicer to pass it.
         text << (value || option.isHidden ? "true" : "false");
       }
-      else if constexpr (std::is_arithmetic_v<T>)
+      else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>)
       {
         text << value;
       }
@@ -164,7 +168,7 @@ bool
 IsData(const Option & option)
 {
   return option.kind == Kind::LabelImage || option.kind == Kind::ScalarImage || option.kind == Kind::Mesh ||
-         option.kind == Kind::File;
+         option.kind == Kind::Surface || option.kind == Kind::Particles || option.kind == Kind::File;
 }
 
 void
@@ -192,6 +196,10 @@ PrintParameter(std::ostream & os, const Option & option, int & index)
   else
   {
     PrintElement(os, 3, "default", DefaultValue(option));
+  }
+  for (const std::string & choice : option.choices)
+  {
+    PrintElement(os, 3, "element", choice);
   }
   os << "    </" << element << ">\n";
 }

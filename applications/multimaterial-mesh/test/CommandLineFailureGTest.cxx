@@ -79,6 +79,14 @@ TEST_F(CommandLineFailure, FullDiskLeavesNoMesh)
   const auto labels = this->WriteBalls();
   ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path("out.vtu") }), "out.vtu");
   ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path("out.vtu"), "--surface-only" }), "out.vtu");
+  for (const char * const name : { "out.msh", "out.mesh" })
+  {
+    ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path(name) }), name);
+  }
+  for (const char * const name : { "out.stl", "out.obj", "out.off" })
+  {
+    ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path(name), "--surface-only" }), name);
+  }
   EXPECT_EQ(this->Files(), std::set<std::string>{ "labels.nrrd" });
 }
 
