@@ -112,7 +112,7 @@ public:
   void
   WriteMeshInformation() override;
 
-  /** These keep their part of the mesh in memory. */
+  /** These keep their part of the mesh in memory. Whatever is wrong with it, Write() says. */
   void
   WritePoints(void * buffer) override;
   void
@@ -122,7 +122,7 @@ public:
   void
   WriteCellData(void * buffer) override;
 
-  /** Writes the file. */
+  /** Writes the file, or throws and leaves none. */
   void
   Write() override;
 
@@ -159,6 +159,8 @@ private:
   GroupNamesType                 m_GroupNames;
   bool                           m_RAS{ false };
   std::unique_ptr<mmm::CellMesh> m_Mesh;
+  /** Told by Write(): if the writing of a part throws, itk::MeshFileWriter does not free the part. */
+  std::string m_WriteError;
 };
 } // end namespace itk
 

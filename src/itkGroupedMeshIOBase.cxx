@@ -200,6 +200,7 @@ GroupedMeshIOBase::WriteMeshInformation()
 {
   m_Mesh = std::make_unique<mmm::CellMesh>();
   m_Mesh->names = m_GroupNames;
+  m_WriteError.clear();
 }
 
 template <typename TBody>
@@ -210,14 +211,17 @@ GroupedMeshIOBase::WritePart(TBody body)
   {
     itkExceptionMacro("WriteMeshInformation() must be called before the parts of \"" << m_FileName << "\" are written");
   }
+  if (!m_WriteError.empty())
+  {
+    return;
+  }
   try
   {
     body(*m_Mesh);
   }
   catch (const std::exception & error)
   {
-    m_Mesh = nullptr;
-    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << ReasonOf(error));
+    m_WriteError = ReasonOf(error);
   }
 }
 
@@ -285,6 +289,10 @@ GroupedMeshIOBase::Write()
     this->WriteFile(mesh);
   });
   m_Mesh = nullptr;
+  if (!m_WriteError.empty())
+  {
+    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << m_WriteError);
+  }
 }
 
 void

@@ -18,8 +18,8 @@
 #include "CommandLine.h"
 
 #include "Errors.h"
-#include "MeshFormat.h"
 #include "OptionTable.h"
+#include "SettingsCheck.h"
 #include "SlicerDescription.h"
 
 #include <CLI/CLI.hpp>
@@ -36,12 +36,6 @@ namespace cli
 {
 namespace
 {
-std::string
-NameOf(const Option & option)
-{
-  return option.IsPositional() ? option.name : "--" + option.name;
-}
-
 /** All spellings, as CLI11 takes them: "--min-island,--min_island". */
 std::string
 SpellingsOf(const Option & option)
@@ -204,61 +198,6 @@ private:
   const Option & m_Option;
   Settings &     m_Settings;
 };
-
-void
-CheckMeshName(const Option & option, const Settings & settings)
-{
-  const bool   isSurface = option.kind == Kind::Surface || (option.IsPositional() && settings.surfaceOnly);
-  const auto   kind = option.kind == Kind::Particles ? MeshKind::Points
-                      : isSurface                    ? MeshKind::Surface
-                                                     : MeshKind::Volume;
-  const auto & fileName = settings.*std::get<std::string Settings::*>(option.field);
-  if (!fileName.empty() && ExtensionFor(kind, fileName).empty())
-  {
-    const char * const what = kind == MeshKind::Volume    ? "meshes"
-                              : kind == MeshKind::Surface ? "surfaces"
-                                                          : "particles";
-    throw UsageError(NameOf(option) + " is '" + fileName + "'; " + what + " are written as " +
-                     DescribeExtensions(kind));
-  }
-}
-
-/** Whether a file is written that does not say what its points are in. */
-bool
-HasFileWithoutSpace(const Settings & settings)
-{
-  const auto isVTU = [](const std::string & name) {
-    return name.empty() || ExtensionFor(MeshKind::Points, name) == ".vtu";
-  };
-  return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
-}
-
-/** What no single option can tell. */
-void
-CheckTogether(const Settings & settings)
-{
-  for (const Option & option : OptionTable())
-  {
-    if (option.kind == Kind::Mesh || option.kind == Kind::Surface || option.kind == Kind::Particles)
-    {
-      CheckMeshName(option, settings);
-    }
-  }
-  if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
-  {
-    std::ostringstream message;
-    message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
-    throw UsageError(message.str());
-  }
-  if (settings.surfaceOnly && !settings.surface.empty())
-  {
-    throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
-  }
-  if (settings.ras && !HasFileWithoutSpace(settings))
-  {
-    throw UsageError("--ras is for other files than .vtu, which say that their points are in LPS");
-  }
-}
 } // namespace
 
 Request
@@ -309,7 +248,7 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
                                : Request::Version;
   }
   settings.exteriorIsListed = parser.get_option("--exterior")->count() > 0;
-  CheckTogether(settings);
+  CheckSettings(settings);
   return Request::Mesh;
 }
 } // namespace cli

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -42,10 +43,17 @@ PairOf(const itk::FixedArray<int, 2> & sides)
   return { sides[0], sides[1] };
 }
 
+/** A cell's number, and whether its normal is to point the other way. */
+struct Numbered
+{
+  int  number;
+  bool isTurned{ false };
+};
+
 /** Appends cells to the mesh, with their numbers. */
 template <typename TCell, typename TSource>
 void
-AppendCells(Mesh * mesh, const TSource * source, const std::function<int(std::size_t)> & numberOf)
+AppendCells(Mesh * mesh, const TSource * source, const std::function<Numbered(std::size_t)> & numberOf)
 {
   if (source->GetCells() == nullptr)
   {
@@ -55,10 +63,15 @@ AppendCells(Mesh * mesh, const TSource * source, const std::function<int(std::si
   auto & numbers = mesh->GetCellData()->CastToSTLContainer();
   for (auto it = source->GetCells()->Begin(); it != source->GetCells()->End(); ++it)
   {
-    auto * const cell = new TCell;
+    const Numbered numbered = numberOf(it.Index());
+    auto * const   cell = new TCell;
     cell->SetPointIds(it.Value()->PointIdsBegin(), it.Value()->PointIdsEnd());
+    if (numbered.isTurned)
+    {
+      std::swap(cell->PointIdsBegin()[1], cell->PointIdsBegin()[2]);
+    }
     cells.push_back(cell);
-    numbers.push_back(numberOf(it.Index()));
+    numbers.push_back(numbered.number);
   }
 }
 
@@ -96,9 +109,9 @@ MakeMesh(const Mesh * tetrahedra, const itk::LabelInterfaceMesh * surface)
 }
 
 Mesh::Pointer
-Combine(const Mesh *                                  tetrahedra,
-        const itk::LabelInterfaceMesh *               surface,
-        const std::function<int(const Pair & pair)> & numberOfPair)
+Combine(const Mesh *                                       tetrahedra,
+        const itk::LabelInterfaceMesh *                    surface,
+        const std::function<Numbered(const Pair & pair)> & numberOfPair)
 {
   const auto mesh = MakeMesh(tetrahedra, surface);
   AppendCells<itk::TriangleCell<Mesh::CellType>>(mesh.GetPointer(), surface, [&](std::size_t i) {
@@ -106,10 +119,20 @@ Combine(const Mesh *                                  tetrahedra,
   });
   if (tetrahedra)
   {
-    AppendCells<itk::TetrahedronCell<Mesh::CellType>>(
-      mesh.GetPointer(), tetrahedra, [&](std::size_t i) { return tetrahedra->GetCellData()->ElementAt(i); });
+    AppendCells<itk::TetrahedronCell<Mesh::CellType>>(mesh.GetPointer(), tetrahedra, [&](std::size_t i) {
+      return Numbered{ tetrahedra->GetCellData()->ElementAt(i) };
+    });
   }
   return mesh;
+}
+
+/** The surface between two tissues is that of the one with the lower rank; so SimNIBS has it. */
+int
+RankInSimNIBS(int label)
+{
+  constexpr int order[] = { 1, 2, 9, 3, 4, 8, 7, 6, 10, 5 };
+  const auto    place = std::find(std::begin(order), std::end(order), label);
+  return place == std::end(order) ? static_cast<int>(std::size(order)) + label : static_cast<int>(place - order);
 }
 
 std::map<Pair, int>
@@ -145,7 +168,7 @@ MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra, const itk::LabelIn
 {
   GroupedMesh grouped;
   const auto  numbers = NumberPairs(tetrahedra, surface);
-  grouped.mesh = Combine(tetrahedra, surface, [&](const Pair & pair) { return numbers.at(pair); });
+  grouped.mesh = Combine(tetrahedra, surface, [&](const Pair & pair) { return Numbered{ numbers.at(pair) }; });
   for (const auto & [pair, number] : numbers)
   {
     grouped.names[{ 2, number }] = "labels " + std::to_string(pair.first) + ' ' + std::to_string(pair.second);
@@ -159,8 +182,9 @@ MakeGroupedMeshForSimNIBS(const itk::LabelTetrahedralMesh * tetrahedra,
                           int                               outside)
 {
   const auto mesh = Combine(tetrahedra, surface, [&](const Pair & pair) {
-    const auto [a, b] = pair;
-    return FirstSurface + (a == outside ? b : b == outside ? a : std::min(a, b));
+    const bool isSecond =
+      pair.first == outside || (pair.second != outside && RankInSimNIBS(pair.second) < RankInSimNIBS(pair.first));
+    return Numbered{ FirstSurface + (isSecond ? pair.second : pair.first), isSecond };
   });
   return { mesh, {} };
 }

@@ -37,8 +37,9 @@ struct GroupedMesh
 GroupedMesh
 MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra, const itk::LabelInterfaceMesh * surface);
 
-/** With the numbers of SimNIBS: 1000 and the label of the tissue that a triangle encloses, which is the lower one, or
- * the one that is not outside. */
+/** With the numbers of SimNIBS: 1000 and the label of the tissue whose surface it is. Of two tissues, that is the one
+ * that SimNIBS lists first: 1 (white matter), 2 (gray matter), 9, 3 (CSF), 4 (bone), 8, 7, 6, 10, 5 (scalp), all
+ * others. The normal points away from it. */
 GroupedMesh
 MakeGroupedMeshForSimNIBS(const itk::LabelTetrahedralMesh * tetrahedra,
                           const itk::LabelInterfaceMesh *   surface,

@@ -88,7 +88,7 @@ PrintHelp(std::ostream & os)
       group = option.group;
       os << '\n' << group << '\n';
     }
-    std::string name = option.IsPositional() ? option.name : "--" + option.name;
+    std::string name = NameOf(option);
     if (!option.placeholder.empty())
     {
       name += ' ' + option.placeholder;

@@ -307,6 +307,12 @@ Option::IsPositional() const
   return name.front() >= 'A' && name.front() <= 'Z';
 }
 
+std::string
+NameOf(const Option & option)
+{
+  return option.IsPositional() ? option.name : "--" + option.name;
+}
+
 const std::vector<Option> &
 OptionTable()
 {

@@ -92,6 +92,10 @@ struct Option
   IsPositional() const;
 };
 
+/** As on the command line: "OUTPUT" or "--surface". */
+std::string
+NameOf(const Option & option);
+
 /** Ordered by group. */
 const std::vector<Option> &
 OptionTable();
