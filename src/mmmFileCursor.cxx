@@ -32,12 +32,22 @@ namespace mmm
 {
 namespace
 {
+constexpr std::size_t quotedLength = 30;
+
 bool
 IsBlank(char c)
 {
   return c == ' ' || c == '\n' || c == '\r' || c == '\t';
 }
 } // namespace
+
+std::string
+Quoted(std::string_view word)
+{
+  std::string text(word.substr(0, quotedLength));
+  std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + text + '"';
+}
 
 bool
 FileCursor::AtEnd()
@@ -84,7 +94,7 @@ FileCursor::SkipPast(std::string_view text)
   const std::size_t found = m_Bytes.find(text, m_Position);
   if (found == std::string_view::npos)
   {
-    this->Fail("there is no " + std::string(text));
+    this->Fail("there is no " + Quoted(text));
   }
   m_Position = found + text.size();
 }
@@ -95,7 +105,7 @@ FileCursor::Expect(std::string_view word)
   const std::string_view found = this->Word();
   if (found != word)
   {
-    this->Fail("\"" + std::string(found.substr(0, 30)) + "\" is not " + std::string(word));
+    this->Fail(Quoted(found) + " is not " + std::string(word));
   }
 }
 
@@ -121,7 +131,7 @@ FileCursor::Parse(std::string_view word, const char * kind) const
   }
   if (!isParsed)
   {
-    this->Fail("\"" + std::string(word.substr(0, 30)) + "\" is not " + kind);
+    this->Fail(Quoted(word) + " is not " + kind);
   }
   return value;
 }

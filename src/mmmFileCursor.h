@@ -108,6 +108,10 @@ private:
   bool             m_Swapped{ false };
 };
 
+/** For messages: the beginning of a word, in quotation marks. */
+std::string
+Quoted(std::string_view word);
+
 /** The bytes of a file. Throws MeshFileError if there is no such file. */
 std::string
 ReadWholeFile(const std::string & fileName);

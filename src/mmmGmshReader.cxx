@@ -97,7 +97,7 @@ GmshReader::ReadSections()
     const std::string section(m_Cursor.Word());
     if (section.size() < 2 || section.front() != '$')
     {
-      m_Cursor.Fail("\"" + section.substr(0, 30) + "\" is no section");
+      m_Cursor.Fail(Quoted(section) + " is no section");
     }
     m_Cursor.Line();
     if (section == "$PhysicalNames")
@@ -163,7 +163,7 @@ ReadGmsh(std::string_view bytes, CellMesh & mesh)
   }
   else
   {
-    cursor.Fail("the version is " + version.substr(0, 30) + "; 2.2 and 4.1 are read");
+    cursor.Fail("the version is " + Quoted(version) + "; 2.2 and 4.1 are read");
   }
   if (isBinary == 1)
   {

@@ -140,7 +140,7 @@ private:
     const std::string_view word = this->Word();
     if (word != expected)
     {
-      m_Cursor.Fail("\"" + std::string(word.substr(0, 30)) + "\" is not " + expected);
+      m_Cursor.Fail(Quoted(word) + " is not " + expected);
     }
   }
 

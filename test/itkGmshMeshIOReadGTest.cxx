@@ -202,7 +202,7 @@ TEST_F(GmshMeshIOReadTest, SaysWhatIsWrongWithAFileOfVersion2)
 {
   constexpr GroupedDamage damages[]{
     { "$MeshFormat", "(0 \"Fluent\")", "\"(0\" is not $MeshFormat" },
-    { "2.2 0 8", "1.0 0 8", "in line 2, the version is 1.0; 2.2 and 4.1 are read" },
+    { "2.2 0 8", "1.0 0 8", "in line 2, the version is \"1.0\"; 2.2 and 4.1 are read" },
     { "2.2 0 8", "2.2 0 4", "numbers have 4 bytes" },
     { "2.2 0 8", "2.2 3 8", "the file type is 3" },
     { "2.2 0 8", "2.2 1 8", "no number 1" },
@@ -221,7 +221,7 @@ TEST_F(GmshMeshIOReadTest, SaysWhatIsWrongWithAFileOfVersion2)
     { "10 7 1000000 1", "10 7 1000001 1", "the node 1000001, which is not in the file" },
     { "10 7 1000000 1", "10 7 0 1", "the node 0, which is not in the file" },
     { "$EndElements\n", "$EndElement\n", "\"$EndElement\" is not $EndElements" },
-    { "$EndElementData", "", "there is no $EndElementData" },
+    { "$EndElementData", "", "there is no \"$EndElementData\"" },
     { "$ElementData", "ElementData", "\"ElementData\" is no section" },
     { "$PhysicalNames", "$Entities", "which this version does not have" },
     { "$ElementData", "$Nodes", "a second section $Nodes" },
@@ -232,7 +232,7 @@ TEST_F(GmshMeshIOReadTest, SaysWhatIsWrongWithAFileOfVersion2)
 TEST_F(GmshMeshIOReadTest, SaysWhatIsWrongWithAFileOfVersion4)
 {
   constexpr GroupedDamage damages[]{
-    { "4.1 0 8", "4.0 0 8", "the version is 4.0" },
+    { "4.1 0 8", "4.0 0 8", "the version is \"4.0\"" },
     { "1 0 1 1\n", "1000000 0 1 1\n", "too short for 1000000 entities" },
     { "1 -5 2 1 -2", "100000 -5 2 1 -2", "too short for 100000 physical groups" },
     { "1 -5 2 1 -2", "1 -5 100000 1 -2", "too short for 100000 bounds" },
