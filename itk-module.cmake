@@ -29,6 +29,8 @@ itk_module(
     ITKTestKernel
     ITKGoogleTest
   FACTORY_NAMES
+    MeshIO::Gmsh
+    MeshIO::Medit
     MeshIO::VTU
   ENABLE_SHARED
   EXCLUDE_FROM_DEFAULT

@@ -19,9 +19,12 @@
 
 #include "Errors.h"
 #include "OptionTable.h"
+#include "SettingsCheck.h"
+#include "SlicerDescription.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <functional>
@@ -33,10 +36,13 @@ namespace cli
 {
 namespace
 {
+/** All spellings, as CLI11 takes them: "--min-island,--min_island". */
 std::string
-NameOf(const Option & option)
+SpellingsOf(const Option & option)
 {
-  return option.IsPositional() ? option.name : "--" + option.name;
+  const std::string name = NameOf(option);
+  const std::string slicerName = "--" + SlicerName(option);
+  return option.IsPositional() || slicerName == name ? name : name + ',' + slicerName;
 }
 
 std::string
@@ -104,6 +110,21 @@ ParseLabels(const Option & option, const std::string & text)
   }
 }
 
+void
+CheckChoice(const Option & option, const std::string & text)
+{
+  if (option.kind == Kind::Choice &&
+      std::find(option.choices.begin(), option.choices.end(), text) == option.choices.end())
+  {
+    std::string all;
+    for (const std::string & choice : option.choices)
+    {
+      all += (all.empty() ? "" : ", ") + choice;
+    }
+    throw UsageError("--" + option.name + " is '" + text + "'; it has to be one of " + all);
+  }
+}
+
 /** Adds an option to the parser, by the type of the member of Settings that it fills. */
 class OptionAdder
 {
@@ -117,7 +138,7 @@ public:
   void
   operator()(bool Settings::* field) const
   {
-    m_Parser.add_flag(NameOf(m_Option), m_Settings.*field);
+    m_Parser.add_flag(SpellingsOf(m_Option), m_Settings.*field);
   }
 
   void
@@ -136,6 +157,7 @@ public:
       {
         throw UsageError(NameOf(this_.m_Option) + " is empty; it has to be a file name");
       }
+      CheckChoice(this_.m_Option, text);
       this_.m_Settings.*field = text;
     });
   }
@@ -158,7 +180,7 @@ private:
   void
   AddText(const std::function<void(const std::string &)> & take) const
   {
-    m_Parser.add_option_function<std::string>(NameOf(m_Option), take)
+    m_Parser.add_option_function<std::string>(SpellingsOf(m_Option), take)
       ->required(m_Option.IsPositional())
       ->type_name(m_Option.placeholder);
   }
@@ -176,40 +198,6 @@ private:
   const Option & m_Option;
   Settings &     m_Settings;
 };
-
-void
-CheckMeshName(const std::string & option, const std::string & fileName)
-{
-  const std::string extension = ".vtu";
-  if (!fileName.empty() && (fileName.size() <= extension.size() ||
-                            fileName.compare(fileName.size() - extension.size(), extension.size(), extension) != 0))
-  {
-    throw UsageError(option + " is '" + fileName + "'; meshes are written as .vtu (VTK XML unstructured grid) only");
-  }
-}
-
-/** What no single option can tell. */
-void
-CheckTogether(const Settings & settings)
-{
-  for (const Option & option : OptionTable())
-  {
-    if (option.kind == Kind::Mesh)
-    {
-      CheckMeshName(NameOf(option), settings.*std::get<std::string Settings::*>(option.field));
-    }
-  }
-  if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
-  {
-    std::ostringstream message;
-    message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
-    throw UsageError(message.str());
-  }
-  if (settings.surfaceOnly && !settings.surface.empty())
-  {
-    throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
-  }
-}
 } // namespace
 
 Request
@@ -220,13 +208,20 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
   parser.set_help_flag("");
   const CLI::Option * const help = parser.add_flag("-h,--help");
   const CLI::Option * const version = parser.add_flag("--version");
+  const CLI::Option * const xml = parser.add_flag("--xml");
+  const CLI::Option * const logo = parser.add_flag("--logo");
+  // Slicer may pass these: an address in its own memory, which is of use to modules in libraries only, and a file for
+  // numbers and texts to return, of which there are none.
+  std::string ignored;
+  parser.add_option("--processinformationaddress", ignored);
+  parser.add_option("--returnparameterfile", ignored);
   for (const Option & option : OptionTable())
   {
     std::visit(OptionAdder(parser, option, settings), option.field);
   }
 
   // Whoever asks for help is not told first what else is wrong.
-  const auto isHelp = [&] { return help->count() > 0 || version->count() > 0; };
+  const auto isHelp = [&] { return help->count() + version->count() + xml->count() + logo->count() > 0; };
   try
   {
     parser.parse(argc, argv);
@@ -247,10 +242,13 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
   }
   if (isHelp())
   {
-    return help->count() > 0 ? Request::Help : Request::Version;
+    return help->count() > 0   ? Request::Help
+           : xml->count() > 0  ? Request::SlicerDescription
+           : logo->count() > 0 ? Request::SlicerLogo
+                               : Request::Version;
   }
   settings.exteriorIsListed = parser.get_option("--exterior")->count() > 0;
-  CheckTogether(settings);
+  CheckSettings(settings);
   return Request::Mesh;
 }
 } // namespace cli

@@ -26,7 +26,9 @@ enum class Request
 {
   Mesh,
   Help,
-  Version
+  Version,
+  SlicerDescription,
+  SlicerLogo
 };
 
 /** \brief Parses and checks the command line. Throws UsageError. */

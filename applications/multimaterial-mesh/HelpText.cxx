@@ -67,10 +67,16 @@ Remark(const Option & option)
 }
 } // namespace
 
+std::string
+DescribeOption(const Option & option)
+{
+  return option.help + Remark(option);
+}
+
 void
 PrintHelp(std::ostream & os)
 {
-  os << "usage: multimaterial-mesh LABELS OUTPUT.vtu [options]\n\n"
+  os << "usage: multimaterial-mesh LABELS OUTPUT.{vtu,msh,mesh} [options]\n\n"
         "Meshes a label image, such as a segmented MRI head: labelled, conforming tetrahedra and the\n"
         "interfaces between the labels. Points are in ITK's physical coordinates (LPS).\n";
 
@@ -82,14 +88,16 @@ PrintHelp(std::ostream & os)
       group = option.group;
       os << '\n' << group << '\n';
     }
-    std::string name = option.IsPositional() ? option.name : "--" + option.name;
+    std::string name = NameOf(option);
     if (!option.placeholder.empty())
     {
       name += ' ' + option.placeholder;
     }
-    PrintEntry(os, name, option.help + Remark(option));
+    PrintEntry(os, name, DescribeOption(option));
   }
   os << "\nOther\n";
+  PrintEntry(os, "--xml", "Print the description that 3D Slicer makes its panel from.");
+  PrintEntry(os, "--logo", "Print nothing; Slicer asks for it.");
   PrintEntry(os, "--version", "Print the version.");
   PrintEntry(os, "-h, --help", "Print this help.");
 }

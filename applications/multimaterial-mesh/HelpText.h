@@ -19,9 +19,16 @@
 #define HelpText_h
 
 #include <iosfwd>
+#include <string>
 
 namespace cli
 {
+struct Option;
+
+/** What an option does, with its unit and default. */
+std::string
+DescribeOption(const Option & option);
+
 /** Prints what the program does and all options, by group, with units and defaults. */
 void
 PrintHelp(std::ostream & os);

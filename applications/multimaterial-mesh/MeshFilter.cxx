@@ -47,7 +47,7 @@ KeepSurface(MeshFilter & filter, const std::string & fileName)
   surface->DisconnectPipeline();
   try
   {
-    WriteMesh(surface, fileName);
+    WriteSurface(surface, fileName, MeshStyle{});
   }
   catch (const std::exception &)
   {
@@ -84,7 +84,7 @@ void
 RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & display)
 {
   filter.AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
-    display.Show(filter.GetCurrentStage(), filter.GetStageProgress());
+    display.Show(filter.GetCurrentStage(), filter.GetStageProgress(), filter.GetProgress());
     if (GetInterruption() != 0)
     {
       filter.AbortGenerateDataOn();

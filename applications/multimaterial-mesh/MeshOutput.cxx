@@ -21,9 +21,16 @@
 #include "MeshOutput.h"
 
 #include "Errors.h"
+#include "GroupedMesh.h"
+#include "Settings.h"
+#include "TriangleOutput.h"
+#include "itkGmshMeshIO.h"
+#include "itkMeditMeshIO.h"
 #include "itkVTUMeshIO.h"
 
 #include "itkMeshFileWriter.h"
+
+#include <algorithm>
 
 namespace cli
 {
@@ -31,37 +38,131 @@ namespace
 {
 template <typename TMesh>
 void
-Write(const TMesh * mesh, const std::string & fileName, itk::VTUMeshIO * io)
+Write(const TMesh * mesh, const std::string & fileName, itk::MeshIOBase * io, bool isText = false)
 {
   auto writer = itk::MeshFileWriter<TMesh>::New();
   writer->SetInput(mesh);
   writer->SetFileName(fileName);
   writer->SetMeshIO(io);
-  writer->SetFileTypeAsBINARY();
   writer->UseCompressionOn();
+  if (isText)
+  {
+    writer->SetFileTypeAsASCII();
+  }
+  else
+  {
+    writer->SetFileTypeAsBINARY();
+  }
   writer->Update();
+}
+
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+void
+WriteGrouped(const GroupedMesh & grouped, const std::string & fileName, const MeshStyle & style)
+{
+  if (ExtensionFor(MeshKind::Volume, fileName) == ".mesh")
+  {
+    const auto io = itk::MeditMeshIO::New();
+    io->SetRAS(style.ras);
+    io->SetGroupNames(grouped.names);
+    Write(grouped.mesh.GetPointer(), fileName, io, true);
+    return;
+  }
+  const auto io = itk::GmshMeshIO::New();
+  io->SetRAS(style.ras || style.IsForSimNIBS());
+  io->SetVersion2(style.mshFormat.front() == '2' || style.IsForSimNIBS());
+  // SimNIBS's reader wants the nodes to come first.
+  io->SetWriteGroupNames(!style.IsForSimNIBS());
+  io->SetGroupNames(grouped.names);
+  Write(grouped.mesh.GetPointer(), fileName, io, EndsWith(style.mshFormat, "ascii"));
+}
+
+GroupedMesh
+Group(const itk::LabelTetrahedralMesh * tetrahedra,
+      const itk::LabelInterfaceMesh *   surface,
+      const std::string &               extension,
+      const MeshStyle &                 style)
+{
+  return extension == ".msh" && style.IsForSimNIBS() ? MakeGroupedMeshForSimNIBS(tetrahedra, surface, style.outside)
+                                                     : MakeGroupedMesh(tetrahedra, surface);
 }
 } // namespace
 
 void
-WriteMesh(const itk::LabelTetrahedralMesh * mesh, const std::string & fileName)
+WriteVolume(const itk::LabelTetrahedralMesh * tetrahedra,
+            const itk::LabelInterfaceMesh *   surface,
+            const std::string &               fileName,
+            const MeshStyle &                 style)
 {
-  Write(mesh, fileName, itk::VTUMeshIO::New());
+  const std::string extension = ExtensionFor(MeshKind::Volume, fileName);
+  if (extension == ".vtu")
+  {
+    Write(tetrahedra, fileName, itk::VTUMeshIO::New());
+  }
+  else
+  {
+    WriteGrouped(Group(tetrahedra, surface, extension, style), fileName, style);
+  }
 }
 
 void
-WriteMesh(const itk::LabelInterfaceMesh * mesh, const std::string & fileName)
+WriteSurface(const itk::LabelInterfaceMesh * surface, const std::string & fileName, const MeshStyle & style)
 {
-  const auto io = itk::VTUMeshIO::New();
-  io->SetCellDataNames({ "label_a", "label_b" });
-  Write(mesh, fileName, io);
+  const std::string extension = ExtensionFor(MeshKind::Surface, fileName);
+  if (extension == ".vtu")
+  {
+    const auto io = itk::VTUMeshIO::New();
+    io->SetCellDataNames({ "label_a", "label_b" });
+    Write(surface, fileName, io);
+  }
+  else if (extension == ".stl")
+  {
+    WriteSTL(surface, fileName, style.ras);
+  }
+  else if (extension == ".obj")
+  {
+    WriteOBJ(surface, fileName, style.ras);
+  }
+  else if (extension == ".off")
+  {
+    WriteOFF(surface, fileName, style.ras);
+  }
+  else
+  {
+    WriteGrouped(Group(nullptr, surface, extension, style), fileName, style);
+  }
 }
 
 void
-WriteMesh(const itk::LabelParticleMesh * mesh, const std::string & fileName)
+WriteParticles(const itk::LabelParticleMesh * particles, const std::string & fileName)
 {
   const auto io = itk::VTUMeshIO::New();
   io->SetPointDataNames({ "dimension", "label_a", "label_b", "label_c", "label_d" });
-  Write(mesh, fileName, io);
+  Write(particles, fileName, io);
+}
+
+void
+CheckLabelsFit(const Settings & settings, const mmm::LabelCounts & voxels)
+{
+  if (!StyleOf(settings, 0).IsForSimNIBS())
+  {
+    return;
+  }
+  for (const auto & entry : voxels)
+  {
+    const int  label = entry.first;
+    const bool isMeshed =
+      std::find(settings.exterior.begin(), settings.exterior.end(), label) == settings.exterior.end();
+    if (isMeshed && (label < 1 || label > 999))
+    {
+      throw Error("--msh-format simnibs: SimNIBS numbers tissues from 1 to 999, and label " + std::to_string(label) +
+                  " is to be meshed; list it in --exterior, give it another number, or take another format");
+    }
+  }
 }
 } // namespace cli

@@ -18,21 +18,32 @@
 #ifndef MeshOutput_h
 #define MeshOutput_h
 
+#include "MeshFormat.h"
 #include "itkMultiMaterialMeshTypes.h"
+#include "mmmLabels.h"
 
 #include <string>
 
 namespace cli
 {
-/** \brief Writes a mesh as compressed .vtu. Throws Error; no incomplete file is left behind.
+/** \brief Writes meshes in the format of the file name's extension. Throws an exception; no incomplete file is left
+ * behind.
  *
- * The mesh is not to be updated by its pipeline: disconnect it before. */
+ * The meshes are not to be updated by their pipeline: disconnect them before. Formats that number groups of cells get
+ * tetrahedra and the triangles between them in one file. */
 void
-WriteMesh(const itk::LabelTetrahedralMesh * mesh, const std::string & fileName);
+WriteVolume(const itk::LabelTetrahedralMesh * tetrahedra,
+            const itk::LabelInterfaceMesh *   surface,
+            const std::string &               fileName,
+            const MeshStyle &                 style);
 void
-WriteMesh(const itk::LabelInterfaceMesh * mesh, const std::string & fileName);
+WriteSurface(const itk::LabelInterfaceMesh * surface, const std::string & fileName, const MeshStyle & style);
 void
-WriteMesh(const itk::LabelParticleMesh * mesh, const std::string & fileName);
+WriteParticles(const itk::LabelParticleMesh * particles, const std::string & fileName);
+
+/** Throws Error if the meshes of the image's labels cannot be written as asked for. */
+void
+CheckLabelsFit(const Settings & settings, const mmm::LabelCounts & voxels);
 } // namespace cli
 
 #endif

@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "OptionTable.h"
 
+#include "MeshFormat.h"
+
+#include <iterator>
 #include <sstream>
 
 namespace cli
@@ -84,20 +87,33 @@ MakeTable()
       "",
       AnyValue,
       "",
-      "File for the tetrahedra, with the cell array 'label': .vtu." },
+      "File for the tetrahedra: .vtu (cell array 'label'), .msh (Gmsh) or .mesh (Medit); the latter two with the "
+      "triangles between labels." },
     { "surface",
       &Settings::surface,
-      Kind::Mesh,
+      Kind::Surface,
       Channel::Output,
       "Output",
-      "FILE.vtu",
+      "FILE",
       "",
       AnyValue,
       "",
-      "Also write the interfaces: triangles with the cell arrays 'label_a' and 'label_b'." },
+      "Also write the triangles between labels: .vtu (cell arrays 'label_a', 'label_b'), .msh or .mesh; .stl, .obj or "
+      ".off have no labels." },
+    { "surface-per-label",
+      &Settings::surfacePrefix,
+      Kind::FilePrefix,
+      Channel::Output,
+      "Output",
+      "PREFIX",
+      "",
+      AnyValue,
+      "",
+      "Also write the closed surface of each label as PREFIX<label>.stl, normals outward; PREFIX.vtu and so on gives "
+      "another format." },
     { "particles",
       &Settings::particles,
-      Kind::Mesh,
+      Kind::Particles,
       Channel::Output,
       "Output",
       "FILE.vtu",
@@ -115,6 +131,27 @@ MakeTable()
       AnyValue,
       "",
       "Make no tetrahedra; OUTPUT is the surface." },
+    { "msh-format",
+      &Settings::mshFormat,
+      Kind::Choice,
+      Channel::Input,
+      "Output",
+      "F",
+      "",
+      AnyValue,
+      standard.mshFormat,
+      "Of .msh files: version 4.1 or 2.2, binary or text, or as SimNIBS wants it (2.2, RAS, its numbers of surfaces).",
+      { std::begin(MshFormats), std::end(MshFormats) } },
+    { "ras",
+      &Settings::ras,
+      Kind::Flag,
+      Channel::Input,
+      "Output",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Points in RAS instead of LPS; in .vtu they are always in LPS, and the file says so." },
     { "report",
       &Settings::report,
       Kind::File,
@@ -248,6 +285,18 @@ MakeTable()
       AnyValue,
       "",
       "Print warnings and errors only." },
+    { "slicer-progress",
+      &Settings::slicerProgress,
+      Kind::Flag,
+      Channel::Input,
+      "Advanced",
+      "",
+      "",
+      AnyValue,
+      "",
+      "Print progress as the XML elements that 3D Slicer reads, which passes this option.",
+      {},
+      true },
   };
 }
 } // namespace
@@ -256,6 +305,12 @@ bool
 Option::IsPositional() const
 {
   return name.front() >= 'A' && name.front() <= 'Z';
+}
+
+std::string
+NameOf(const Option & option)
+{
+  return option.IsPositional() ? option.name : "--" + option.name;
 }
 
 const std::vector<Option> &

@@ -33,10 +33,13 @@ enum class Kind
   Flag,
   Integer,
   Real,
+  Choice,
   Labels,
   LabelImage,
   ScalarImage,
   Mesh,
+  Surface,
+  Particles,
   File,
   FilePrefix
 };
@@ -80,10 +83,18 @@ struct Option
   /** In words; empty where there is none. */
   std::string defaultValue;
   std::string help;
+  /** Of Kind::Choice. */
+  std::vector<std::string> choices{};
+  /** Set by a graphical interface, without asking its user. */
+  bool isHidden{ false };
 
   bool
   IsPositional() const;
 };
+
+/** As on the command line: "OUTPUT" or "--surface". */
+std::string
+NameOf(const Option & option);
 
 /** Ordered by group. */
 const std::vector<Option> &

@@ -51,14 +51,14 @@ SecondsSince(std::chrono::steady_clock::time_point start)
 }
 } // namespace
 
-ProgressDisplay::ProgressDisplay(bool quiet)
-  : m_Quiet(quiet)
-  , m_IsTerminal(StdoutIsTerminal())
+ProgressDisplay::ProgressDisplay(Style style)
+  : m_Style(style)
+  , m_IsTerminal(style == Style::Text && StdoutIsTerminal())
 {}
 
 ProgressDisplay::~ProgressDisplay()
 {
-  if (!m_Quiet && m_IsTerminal && !m_Stage.empty())
+  if (m_IsTerminal && !m_Stage.empty())
   {
     std::printf("\n");
   }
@@ -66,9 +66,9 @@ ProgressDisplay::~ProgressDisplay()
 }
 
 void
-ProgressDisplay::Show(const std::string & stage, double fraction)
+ProgressDisplay::Show(const std::string & stage, double fraction, double total)
 {
-  if (m_Quiet || stage.empty())
+  if (m_Style == Style::None || stage.empty())
   {
     return;
   }
@@ -79,10 +79,22 @@ ProgressDisplay::Show(const std::string & stage, double fraction)
     this->Finish();
     m_Stage = stage;
     m_Start = now;
+    if (m_Style == Style::Slicer)
+    {
+      m_Slicer.Begin(stage);
+    }
   }
-  if (m_IsTerminal && (isNew || now - m_LastDrawn >= DrawInterval))
+  if (!isNew && now - m_LastDrawn < DrawInterval)
   {
-    m_LastDrawn = now;
+    return;
+  }
+  m_LastDrawn = now;
+  if (m_Style == Style::Slicer)
+  {
+    m_Slicer.Update(total, fraction);
+  }
+  else if (m_IsTerminal)
+  {
     this->DrawBar(std::min(std::max(fraction, 0.0), 1.0), SecondsSince(m_Start));
   }
 }
@@ -95,7 +107,11 @@ ProgressDisplay::Finish()
     return;
   }
   const double seconds = SecondsSince(m_Start);
-  if (m_IsTerminal)
+  if (m_Style == Style::Slicer)
+  {
+    m_Slicer.End(m_Stage, seconds);
+  }
+  else if (m_IsTerminal)
   {
     this->DrawBar(1.0, seconds);
     std::printf("\n");

@@ -18,6 +18,8 @@
 #ifndef ProgressDisplay_h
 #define ProgressDisplay_h
 
+#include "SlicerProgress.h"
+
 #include <chrono>
 #include <string>
 
@@ -27,16 +29,24 @@ namespace cli
 class ProgressDisplay
 {
 public:
-  explicit ProgressDisplay(bool quiet);
+  enum class Style
+  {
+    None,
+    /** A bar per stage on a terminal, else a line per stage. */
+    Text,
+    Slicer
+  };
+
+  explicit ProgressDisplay(Style style);
   /** Leaves the cursor at the start of a line. */
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay &) = delete;
   ProgressDisplay &
   operator=(const ProgressDisplay &) = delete;
 
-  /** The fraction of a stage that is done. A new name ends the stage before. */
+  /** The fraction of a stage that is done, and that of all work. A new name ends the stage before. */
   void
-  Show(const std::string & stage, double fraction);
+  Show(const std::string & stage, double fraction, double total);
 
   /** The stage is done. */
   void
@@ -48,8 +58,10 @@ private:
   void
   DrawBar(double fraction, double seconds);
 
-  bool              m_Quiet;
+  Style m_Style;
+  /** Whether there is a bar. */
   bool              m_IsTerminal;
+  SlicerProgress    m_Slicer;
   std::string       m_Stage;
   Clock::time_point m_Start;
   Clock::time_point m_LastDrawn;

@@ -77,6 +77,8 @@ ParameterSection(const Settings & settings)
   section["exterior"] = settings.exterior;
   section["min_island_voxels"] = settings.minIsland;
   section["surface_only"] = settings.surfaceOnly;
+  section["msh_format"] = settings.mshFormat;
+  section["ras"] = settings.ras;
   section["radius_mm"] = length(settings.radius);
   section["epsilon"] = Number(settings.epsilon);
   section["tolerance_mm"] = length(settings.tolerance);

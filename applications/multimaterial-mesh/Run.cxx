@@ -19,6 +19,7 @@
 
 #include "Errors.h"
 #include "ImageOutput.h"
+#include "LabelSurface.h"
 #include "MeshOutput.h"
 #include "Outcome.h"
 #include "OutputFile.h"
@@ -54,6 +55,10 @@ CheckOutputs(const Settings & settings)
   if (!settings.indicatorPrefix.empty())
   {
     outputs.emplace_back("--save-indicators", IndicatorName(settings, 0));
+  }
+  if (!settings.surfacePrefix.empty())
+  {
+    outputs.emplace_back("--surface-per-label", NameForLabel(settings.surfacePrefix, 0));
   }
   if (!settings.sizingFile.empty())
   {
@@ -118,21 +123,30 @@ void
 WriteMeshes(const Outcome & outcome)
 {
   const Settings & settings = outcome.settings;
+  const int        outside = outcome.filter->GetOutsideLabel();
+  const MeshStyle  style = StyleOf(settings, outside);
   if (settings.surfaceOnly)
   {
-    WriteMesh(outcome.surface, settings.output);
+    WriteSurface(outcome.surface, settings.output, style);
   }
   else
   {
-    WriteMesh(outcome.tetrahedra, settings.output);
+    WriteVolume(outcome.tetrahedra, outcome.surface, settings.output, style);
   }
   if (!settings.surface.empty())
   {
-    WriteMesh(outcome.surface, settings.surface);
+    WriteSurface(outcome.surface, settings.surface, style);
+  }
+  if (!settings.surfacePrefix.empty())
+  {
+    for (const int label : EnclosedLabels(outcome.surface, outside))
+    {
+      WriteSurface(ExtractLabelSurface(outcome.surface, label), NameForLabel(settings.surfacePrefix, label), style);
+    }
   }
   if (!settings.particles.empty())
   {
-    WriteMesh(outcome.particles, settings.particles);
+    WriteParticles(outcome.particles, settings.particles);
   }
 }
 
@@ -163,12 +177,15 @@ Run(Settings settings)
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(itk::ThreadIdType(*settings.threads));
   }
 
-  ProgressDisplay display(settings.quiet);
+  ProgressDisplay display(settings.quiet            ? ProgressDisplay::Style::None
+                          : settings.slicerProgress ? ProgressDisplay::Style::Slicer
+                                                    : ProgressDisplay::Style::Text);
   StageClock      clock(display);
   Outcome         outcome;
-  clock.Run("reading", [&] {
+  clock.Run("reading", 0.0, [&] {
     outcome.labels = ReadLabelImage(settings.labels);
     outcome.voxels = CheckLabels(settings.labels, *outcome.labels);
+    CheckLabelsFit(settings, outcome.voxels);
     WarnOfAbsentExterior(settings, outcome.voxels);
     ResolveLengths(settings, *outcome.labels);
     outcome.settings = settings;
@@ -177,8 +194,8 @@ Run(Settings settings)
   RunMeshFilter(*outcome.filter, settings, display);
   clock.Append(outcome.filter->GetStageRecords());
   TakeMeshes(outcome);
-  clock.Run("quality", [&] { MeasureQuality(outcome); });
-  clock.Run("writing", [&] {
+  clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });
+  clock.Run("writing", 1.0, [&] {
     WriteMeshes(outcome);
     WriteImages(outcome);
   });

@@ -40,6 +40,9 @@ struct Settings
   std::string surface;
   std::string particles;
   bool        surfaceOnly{ false };
+  std::string surfacePrefix;
+  std::string mshFormat{ "4.1" };
+  bool        ras{ false };
   std::string report;
 
   std::optional<double> radius;
@@ -56,6 +59,7 @@ struct Settings
   std::optional<std::uint64_t> threads;
   std::uint64_t                seed{ 1 };
   bool                         quiet{ false };
+  bool                         slicerProgress{ false };
 };
 } // namespace cli
 

@@ -37,12 +37,13 @@ public:
     : m_Display(display)
   {}
 
+  /** The total is how much of all work is done before the stage, from 0 to 1. */
   template <typename TBody>
   void
-  Run(const std::string & name, const TBody & body)
+  Run(const std::string & name, double total, const TBody & body)
   {
     ThrowIfInterrupted();
-    m_Display.Show(name, 0.0);
+    m_Display.Show(name, 0.0, total);
     const auto start = std::chrono::steady_clock::now();
     body();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -20,6 +20,7 @@
 #include "HelpText.h"
 #include "Interruption.h"
 #include "Run.h"
+#include "SlicerDescription.h"
 #include "Version.h"
 #include "Warnings.h"
 
@@ -83,6 +84,12 @@ main(int argc, char * argv[])
         return EXIT_SUCCESS;
       case cli::Request::Version:
         std::cout << "multimaterial-mesh " << cli::GetVersion() << " (ITK " << itk::Version::GetITKVersion() << ")\n";
+        return EXIT_SUCCESS;
+      case cli::Request::SlicerDescription:
+        cli::PrintSlicerDescription(std::cout);
+        return EXIT_SUCCESS;
+      case cli::Request::SlicerLogo:
+        // There is none. Slicer takes no answer for none.
         return EXIT_SUCCESS;
       default:
         return Mesh(settings);

@@ -79,6 +79,14 @@ TEST_F(CommandLineFailure, FullDiskLeavesNoMesh)
   const auto labels = this->WriteBalls();
   ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path("out.vtu") }), "out.vtu");
   ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path("out.vtu"), "--surface-only" }), "out.vtu");
+  for (const char * const name : { "out.msh", "out.mesh" })
+  {
+    ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path(name) }), name);
+  }
+  for (const char * const name : { "out.stl", "out.obj", "out.off" })
+  {
+    ExpectOneLine(RunAfter(SmallFiles, { labels, this->Path(name), "--surface-only" }), name);
+  }
   EXPECT_EQ(this->Files(), std::set<std::string>{ "labels.nrrd" });
 }
 
@@ -101,6 +109,24 @@ TEST_F(CommandLineFailure, InterruptionLeavesNoFile)
   EXPECT_EQ(result.exitCode, 130);
   EXPECT_EQ(result.error, "multimaterial-mesh: aborted\n");
   EXPECT_EQ(this->Files(), std::set<std::string>{ "large.nrrd" });
+}
+
+TEST_F(CommandLineFailure, TerminationLeavesNoFile)
+{
+  const std::string runAndTerminate = "\"$@\" > \"$OUT\" & pid=$!; "
+                                      "until grep -q '<filter-progress>' \"$OUT\"; do sleep 0.1; done; "
+                                      "kill -TERM $pid; wait $pid";
+  const auto        result = Start({ "/bin/sh",
+                                     "-c",
+                                     "export OUT='" + this->Path("stdout.txt") + "'; " + runAndTerminate,
+                                     "sh",
+                                     MULTIMATERIAL_MESH,
+                                     this->WriteLargeImage(),
+                                     this->Path("out.vtu"),
+                                     "--slicer-progress" });
+  EXPECT_EQ(result.exitCode, 143);
+  EXPECT_NE(result.error.find("multimaterial-mesh: aborted\n"), std::string::npos) << result.error;
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "large.nrrd", "stdout.txt" }));
 }
 
 TEST_F(CommandLineFailure, OutOfMemory)

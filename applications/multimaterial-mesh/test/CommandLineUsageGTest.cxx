@@ -82,8 +82,30 @@ TEST_F(CommandLineUsage, OutputOfAnotherFormat)
 {
   const auto labels = this->WriteBalls();
   this->ExpectError({ labels, this->Path("out.vtk") }, 2, "meshes are written as .vtu");
-  this->ExpectUsageError({ "--surface", this->Path("surface.stl") }, "meshes are written as .vtu");
+  this->ExpectError({ labels, this->Path("out.stl") }, 2, "meshes are written as .vtu, .msh or .mesh");
+  this->ExpectUsageError({ "--surface", this->Path("surface.ply") }, "surfaces are written as .vtu, .msh, .mesh, .stl");
+  this->ExpectUsageError({ "--particles", this->Path("particles.msh") }, "particles are written as .vtu");
   this->ExpectUsageError({ "--save-sizing", this->Path("size.png") }, "images are written as .nrrd");
+}
+
+TEST_F(CommandLineUsage, FormatThatThereIsNot)
+{
+  this->ExpectUsageError({ "--msh-format", "3" }, "--msh-format is '3'; it has to be one of 4.1, 4.1-ascii, 2.2");
+}
+
+TEST_F(CommandLineUsage, RASWithoutAFileForIt)
+{
+  this->ExpectUsageError({ "--ras" }, "--ras is for other files than .vtu");
+  this->ExpectUsageError({ "--ras", "--surface", this->Path("surface.vtu") }, "--ras is for other files than .vtu");
+}
+
+TEST_F(CommandLineUsage, LabelsThatSimNIBSHasNot)
+{
+  const auto image = MakeBalls();
+  image->SetPixel({ { 1, 1, 1 } }, 1000);
+  const auto labels = this->WriteImage<LabelImage>(image, "large.nrrd");
+  this->ExpectError(
+    { labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" }, 1, "label 1000 is to be meshed");
 }
 
 TEST_F(CommandLineUsage, OneFileForTwoPurposes)
@@ -105,6 +127,7 @@ TEST_F(CommandLineUsage, NoOutputFolder)
                     1,
                     "missing/report.json: the folder");
   this->ExpectError({ labels, this->Path("out.vtu"), "--save-indicators", this->Path("missing/f") }, 1, "the folder");
+  this->ExpectError({ labels, this->Path("out.vtu"), "--surface-per-label", this->Path("missing/s") }, 1, "the folder");
 }
 
 TEST_F(CommandLineUsage, OutputIsAFolder)

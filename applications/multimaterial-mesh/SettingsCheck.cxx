@@ -1,0 +1,84 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "SettingsCheck.h"
+
+#include "Errors.h"
+#include "MeshFormat.h"
+#include "OptionTable.h"
+
+#include <sstream>
+
+namespace cli
+{
+namespace
+{
+void
+CheckMeshName(const Option & option, const Settings & settings)
+{
+  const bool   isSurface = option.kind == Kind::Surface || (option.IsPositional() && settings.surfaceOnly);
+  const auto   kind = option.kind == Kind::Particles ? MeshKind::Points
+                      : isSurface                    ? MeshKind::Surface
+                                                     : MeshKind::Volume;
+  const auto & fileName = settings.*std::get<std::string Settings::*>(option.field);
+  if (!fileName.empty() && ExtensionFor(kind, fileName).empty())
+  {
+    const char * const what = kind == MeshKind::Volume    ? "meshes"
+                              : kind == MeshKind::Surface ? "surfaces"
+                                                          : "particles";
+    throw UsageError(NameOf(option) + " is '" + fileName + "'; " + what + " are written as " +
+                     DescribeExtensions(kind));
+  }
+}
+
+/** Whether a file is written that does not say what its points are in. */
+bool
+HasFileWithoutSpace(const Settings & settings)
+{
+  const auto isVTU = [](const std::string & name) {
+    return name.empty() || ExtensionFor(MeshKind::Points, name) == ".vtu";
+  };
+  return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
+}
+} // namespace
+
+void
+CheckSettings(const Settings & settings)
+{
+  for (const Option & option : OptionTable())
+  {
+    if (option.kind == Kind::Mesh || option.kind == Kind::Surface || option.kind == Kind::Particles)
+    {
+      CheckMeshName(option, settings);
+    }
+  }
+  if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
+  {
+    std::ostringstream message;
+    message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
+    throw UsageError(message.str());
+  }
+  if (settings.surfaceOnly && !settings.surface.empty())
+  {
+    throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
+  }
+  if (settings.ras && !HasFileWithoutSpace(settings))
+  {
+    throw UsageError("--ras is for other files than .vtu, which say that their points are in LPS");
+  }
+}
+} // namespace cli
