@@ -21,7 +21,6 @@
 #include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmParticleMerging.h"
-#include "mmmSourcePropagation.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
 #include "mmmTetGen.h"
@@ -40,9 +39,10 @@ const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxatio
 constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 4;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
- * spacing, which grows around them at this rate. */
-constexpr float  RecoverySize = 0.5f;
+ * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
+constexpr double RecoverySize = 0.5;
 constexpr double RecoveryGrowth = 0.5;
+constexpr double RecoveryReach = 6.0;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
 
@@ -50,13 +50,31 @@ constexpr int InteriorSweeps = 12;
 void
 RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vector<float> & sizes)
 {
-  std::vector<Source> sources;
+  Index reach;
+  for (int a = 0; a < 3; ++a)
+  {
+    reach[a] = int(RecoveryReach / grid.spacing[a]);
+  }
   for (const auto n : nodes)
   {
-    sources.push_back({ grid.Position(grid.IndexAt(n)).cast<float>(), RecoverySize });
+    const Index centre = grid.IndexAt(n);
+    for (int k = -reach[2]; k <= reach[2]; ++k)
+    {
+      for (int j = -reach[1]; j <= reach[1]; ++j)
+      {
+        for (int i = -reach[0]; i <= reach[0]; ++i)
+        {
+          const Index at{ { centre[0] + i, centre[1] + j, centre[2] + k } };
+          if (grid.Contains(at))
+          {
+            const double distance = Vector(i * grid.spacing[0], j * grid.spacing[1], k * grid.spacing[2]).norm();
+            float &      size = sizes[grid.Offset(at)];
+            size = std::min(size, float(RecoverySize + RecoveryGrowth * distance));
+          }
+        }
+      }
+    }
   }
-  const auto refined = PropagateSources(grid, sources, RecoveryGrowth).values;
-  std::transform(sizes.begin(), sizes.end(), refined.begin(), sizes.begin(), [](float a, float b) { return std::min(a, b); });
 }
 
 /** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */

@@ -55,8 +55,9 @@ public:
   void
   SeedCube(const Index & lower, std::vector<Seed> & seeds) const
   {
-    Material present[14];
-    int      count = 0;
+    constexpr int Most = 8 + 6; // a material a corner, and the planes
+    Material      present[Most];
+    int           count = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
       const Index node{ { lower[0] + (corner & 1), lower[1] + ((corner >> 1) & 1), lower[2] + (corner >> 2) } };
@@ -66,7 +67,7 @@ public:
     {
       return;
     }
-    std::sort(present, present + count);
+    std::sort(present, present + std::min(count, Most));
     count = std::min(count, MaximalMaterials + 3);
     for (int a = 0; a < count; ++a)
     {
@@ -183,6 +184,16 @@ AddThinned(const IndicatorSet & indicators,
   {
     bins[binning.BinAt(particles.positions[p])].push_back(std::uint32_t(p));
   }
+  std::vector<Vector> normals(before, Vector::Zero());
+  ParallelFor(before, 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      if (particles.CellOf(p).count == 2)
+      {
+        normals[p] = indicators.Normal(particles.CellOf(p), particles.positions[p]);
+      }
+    }
+  });
   for (const Seed & candidate : seeds)
   {
     const double h = sizing(candidate.position);
@@ -199,8 +210,7 @@ AddThinned(const IndicatorSet & indicators,
         if (other.Includes(candidate.cell) && (particles.positions[p] - candidate.position).squaredNorm() < reach * reach)
         {
           // the other side of a thin gap does not count
-          free = candidate.cell.count == 2 && other == candidate.cell &&
-                 indicators.Normal(other, particles.positions[p]).dot(candidate.normal) <= 0.0;
+          free = candidate.cell.count == 2 && other == candidate.cell && normals[p].dot(candidate.normal) <= 0.0;
         }
       }
     });
@@ -209,6 +219,7 @@ AddThinned(const IndicatorSet & indicators,
       bins[binning.BinAt(candidate.position)].push_back(std::uint32_t(particles.Size()));
       particles.positions.push_back(candidate.position);
       particles.cells.push_back(numbers(candidate.cell));
+      normals.push_back(candidate.normal);
     }
   }
   return particles.Size() - before;
