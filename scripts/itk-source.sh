@@ -34,14 +34,13 @@ fi
 
 work=$(mktemp -d "$(dirname "$folder")/itk-source.XXXXXX")
 trap 'rm -rf "$work"' EXIT
-# apt reads package lists and archives as another user
-chmod 755 "$work"
 mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
 echo "deb-src $mirror sid main" > "$work/sources.list"
 options=(
   -qq
   -o "Dir::Etc::SourceList=$work/sources.list" -o Dir::Etc::SourceParts=-
   -o "Dir::State::Lists=$work/lists" -o "Dir::Cache=$work/cache"
+  -o "APT::Sandbox::User=$(id -un)"
 )
 apt-get "${options[@]}" update
 found=$(apt-cache "${options[@]}" showsrc "$package" | awk '$1 == "Version:" { print $2 }' | grep -F "$version-" | tail -n 1) || true

@@ -83,10 +83,21 @@ def draw(file, picture):
     # whole tetrahedra of the half that is farther from the viewer
     center = np.array(mesh.center)
     half = mesh.extract_cells(mesh.cell_centers().points[:, 0] < center[0])
+    labels = np.unique(mesh["label"])
     plotter = pyvista.Plotter(off_screen=True, window_size=(1200, 1000))
-    plotter.add_mesh(half, scalars="label", categories=True, cmap="tab10", show_edges=True, line_width=0.5)
+    plotter.add_mesh(
+        half,
+        scalars="label",
+        categories=True,
+        clim=(labels[0] - 0.5, labels[-1] + 0.5),
+        cmap="tab10",
+        show_edges=True,
+        line_width=0.5,
+        annotations={label: str(label) for label in labels},
+        scalar_bar_args={"n_labels": 0},
+    )
     plotter.camera_position = [center + (2.6 * mesh.length * np.array([0.8, -0.35, 0.25])), center, (0, 0, 1)]
-    plotter.camera.zoom(1.6)
+    plotter.camera.zoom(1.5)
     plotter.screenshot(picture)
 
 
