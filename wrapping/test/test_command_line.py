@@ -31,8 +31,11 @@ ROTATION = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 
 
 @pytest.mark.skipif(not PROGRAM, reason="multimaterial-mesh was not found")
-@pytest.mark.parametrize("direction", [np.eye(3), ROTATION], ids=["straight", "oblique"])
-@pytest.mark.parametrize("spacing", [(6.0, 6.0, 6.0), (5.0, 6.0, 8.0)], ids=["isotropic", "anisotropic"])
+@pytest.mark.parametrize(
+    "spacing, direction",
+    [((6.0, 6.0, 6.0), np.eye(3)), ((5.0, 6.0, 8.0), ROTATION)],
+    ids=["plain", "anisotropic and oblique"],
+)
 def test_same_mesh(head, tmp_path, spacing, direction):
     file = str(tmp_path / "labels.nrrd")
     itk.imwrite(make_image(itk.array_view_from_image(head), spacing, (3.0, -4.5, 10.0), direction), file)
