@@ -51,7 +51,7 @@ def make_image(labels, spacing=SPACING, origin=ORIGIN, direction=None):
 
 def make_head():
     """A small head of six tissues."""
-    source = itk.HeadPhantomImageSource[itk.Image[itk.UC, 3]].New(size=[31, 37, 31], spacing=[6.0, 6.0, 6.0])
+    source = itk.HeadPhantomImageSource[itk.Image[itk.UC, 3]].New(size=[23, 28, 23], spacing=[8.0, 8.0, 8.0])
     source.Update()
     return source.GetOutput()
 

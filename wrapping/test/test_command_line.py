@@ -33,7 +33,7 @@ ROTATION = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
 @pytest.mark.skipif(not PROGRAM, reason="multimaterial-mesh was not found")
 @pytest.mark.parametrize(
     "spacing, direction",
-    [((6.0, 6.0, 6.0), np.eye(3)), ((5.0, 6.0, 8.0), ROTATION)],
+    [((8.0, 8.0, 8.0), np.eye(3)), ((6.0, 8.0, 9.5), ROTATION)],
     ids=["plain", "anisotropic and oblique"],
 )
 def test_same_mesh(head, tmp_path, spacing, direction):
