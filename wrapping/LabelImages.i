@@ -1,20 +1,21 @@
 // Filters of label images take images of any scalar type whose values are whole numbers, and say what is wrong with
 // others. ITK's own way is to list the types that it knows.
 %pythoncode %{
-def _as_label_image(image):
-    """The image, or one of itk.SI with its values and geometry if filters are not wrapped for its type of pixels."""
+def _as_label_image(source):
+    """The image, or filter, or an image of itk.SI with the same values if filters are not wrapped for its pixels."""
     import itk
     import numpy as np
 
+    image = itk.output(source)
     if not isinstance(image, (itk.Image, itk.VectorImage)):
-        return image
+        return source
     pixel, dimension = itk.template(image)[1]
     if dimension != 3:
         raise TypeError(f"The image has {dimension} dimensions; a three-dimensional label image is needed.")
     if not isinstance(pixel, itk.support.types.itkCType) or isinstance(image, itk.VectorImage):
         raise TypeError("The voxels have several components; an image with one value per voxel is needed.")
     if any(key[0] is type(image) for key in itk.MergeLabelIslandsImageFilter.keys()):
-        return image
+        return source
 
     image.Update()
     values = itk.array_view_from_image(image)

@@ -35,6 +35,13 @@ def test_takes_labels_of_any_type(meshed, dtype):
     np.testing.assert_array_equal(points_of(mesh), points_of(meshed.GetOutput()))
 
 
+@pytest.mark.parametrize("pixel_type", [itk.SS, itk.F])
+def test_takes_filters_as_input(spheres, meshed, pixel_type):
+    caster = itk.CastImageFilter[type(spheres), itk.Image[pixel_type, 3]].New(spheres)
+    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(caster)
+    np.testing.assert_array_equal(points_of(mesh), points_of(meshed.GetOutput()))
+
+
 def test_labels_need_not_be_small():
     labels = make_spheres(np.int32)
     values = itk.array_view_from_image(labels)

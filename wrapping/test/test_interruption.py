@@ -110,7 +110,7 @@ def test_runs_in_other_threads(spheres, meshed):
 
 
 def test_stages_can_be_interrupted(large):
-    indicators = itk.LabelImageToIndicatorImagesFilter.New(large, radius=8.0)
+    indicators = itk.LabelImageToIndicatorImagesFilter.New(large, radius=3.0)
     with SignalAfter(0.5), pytest.raises(KeyboardInterrupt):
         indicators.Update()
     assert indicators.GetProgress() < 0.9
