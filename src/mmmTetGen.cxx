@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmTetGen.h"
+#include "mmmTetGenTermination.h"
 
 #include "itkMacro.h"
 
@@ -55,6 +56,7 @@ Words(int code)
 void
 Run(const std::string & switches, tetgenio & in, tetgenio & out)
 {
+  LinkTetGenTermination();
   std::string arguments = switches;
   try
   {

@@ -15,13 +15,20 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "MultiMaterialMeshingExport.h"
+#include "mmmTetGenTermination.h"
 
 class tetgenmesh;
 
+// visible to the dynamic linker even where the module is a static library, whose other symbols are hidden
+#if defined(__GNUC__)
+#  define MMM_TETGEN_TERMINATION_EXPORT __attribute__((visibility("default")))
+#else
+#  define MMM_TETGEN_TERMINATION_EXPORT
+#endif
+
 /** What TetGen 1.5 calls when it gives up. Its own frees the mesh and throws, whereupon the mesh's destructor frees it
  * again, and the program crashes. This one, which the dynamic linker finds first, leaves the memory to the destructor. */
-MultiMaterialMeshing_EXPORT void
+MMM_TETGEN_TERMINATION_EXPORT void
 terminatetetgen(tetgenmesh *, int code);
 
 void
@@ -29,3 +36,7 @@ terminatetetgen(tetgenmesh *, int code)
 {
   throw code;
 }
+
+void
+mmm::LinkTetGenTermination()
+{}

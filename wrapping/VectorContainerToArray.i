@@ -1,23 +1,28 @@
-// numpy.asarray(container) for containers of arrays of int, which ITK's own conversion does not know.
+// numpy.asarray(container) for containers of int and of arrays of int, which ITK's own conversion does not know. It is a
+// view, one element per row, that keeps the container alive.
 %define DECL_PYTHON_INT_ARRAYS_CLASS(swig_name)
 %extend swig_name {
-  PyObject * _view()
+  PyObject * _address()
   {
-    auto & elements = self->CastToSTLContainer();
-    static char nothing;
-    char *      data = elements.empty() ? &nothing : reinterpret_cast<char *>(elements.data());
-    return PyMemoryView_FromMemory(data, elements.size() * sizeof(swig_name::Element), PyBUF_READ);
+    return PyLong_FromVoidPtr(self->CastToSTLContainer().data());
   }
   int _width()
   {
     return sizeof(swig_name::Element) / sizeof(int);
   }
   %pythoncode %{
-    def __array__(self, dtype=None, copy=None):
-        """A copy of the elements, one per row."""
+    @property
+    def __array_interface__(self):
         import numpy as np
-        rows = np.frombuffer(self._view(), np.intc).reshape(self.Size(), self._width())
-        return rows.astype(np.intc if dtype is None else dtype)
+        size, width = self.Size(), self._width()
+        if size == 0:
+            return np.empty((0, width) if width > 1 else 0, np.intc).__array_interface__
+        return {
+            "version": 3,
+            "shape": (size, width) if width > 1 else (size,),
+            "typestr": np.dtype(np.intc).str,
+            "data": (self._address(), False),
+        }
   %}
 }
 %enddef
