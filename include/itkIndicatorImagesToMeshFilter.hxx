@@ -260,9 +260,8 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticl
   m_Report = result.report;
 
   // where the surface was not reached, the particles are all that there is
-  const bool   hasSurface = !result.points.empty();
-  const auto & points = hasSurface ? result.points : result.particles.positions;
-  const auto   count = result.particles.Size();
+  const bool hasSurface = !result.points.empty();
+  const auto count = result.particles.Size();
 
   SurfaceMeshType * surface = this->GetSurface();
   if (hasSurface)
@@ -278,14 +277,14 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticl
     {
       sideLabels.emplace_back(labels.OfSides(sides));
     }
-    mmm::SetMeshPoints(surface, geometry, points, result.numberOfSurfacePoints);
+    mmm::SetMeshPoints(surface, geometry, result.points, result.numberOfSurfacePoints);
     mmm::SetMeshCells<TriangleCell<SurfaceMeshType::CellType>>(surface, result.interfaces.triangles, isReversed);
     mmm::SetMeshCellData(surface, std::move(sideLabels));
   }
   surface->SetBufferedRegion(surface->GetRequestedRegion());
 
   ParticleMeshType * particles = this->GetParticles();
-  mmm::SetMeshPoints(particles, geometry, points, count);
+  mmm::SetMeshPoints(particles, geometry, result.particles.positions, count);
   const auto data = ParticleMeshType::PointDataContainer::New();
   auto &     values = data->CastToSTLContainer();
   values.reserve(count);

@@ -49,6 +49,8 @@ struct MeshingReport
   std::size_t unusedParticles{ 0 };
   /** Points that TetGen added to the interior to recover the interfaces. */
   std::size_t steinerPoints{ 0 };
+  /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
+  bool               recoveryFailed{ false };
   OptimizationReport optimization;
 };
 
@@ -60,7 +62,8 @@ struct MeshingResult
   TetrahedralMesh     tetrahedra;
   /** How many of `points`, the first, belong to the interfaces. */
   std::size_t numberOfSurfacePoints{ 0 };
-  /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order. */
+  /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved surfaces
+   * have left their cell a little for the sake of the volumes. */
   ParticleSet   particles;
   MeshingReport report;
 };

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mmm
 {
@@ -119,14 +120,15 @@ VisitNodesInside(const Grid & grid, const Vector (&corners)[4], TVisitor && visi
         {
           first = std::max(first, rest / normals[f][0]);
         }
-        else if (rest < 0.0)
+        else if (!(rest >= 0.0))
         {
-          first = last + grid.spacing[0];
+          last = -std::numeric_limits<double>::infinity();
         }
       }
+      // both bounds lie within the bounding box now, or there is nothing between them
       if (!(first <= last))
       {
-        continue; // also where a flat tetrahedron's normals are not numbers
+        continue;
       }
       const int end = int(std::floor(last / grid.spacing[0]));
       for (int i = int(std::ceil(first / grid.spacing[0])); i <= end; ++i)

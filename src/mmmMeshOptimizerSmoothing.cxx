@@ -192,9 +192,8 @@ PointSmoother::ColourPoints()
   }
 }
 
-template <typename TMove>
 std::size_t
-PointSmoother::MoveByColour(TMove && move)
+PointSmoother::MoveByColour(const std::function<bool(PointId)> & move)
 {
   std::size_t total = 0;
   for (const auto & group : m_Colours)

@@ -22,6 +22,7 @@
 #include "mmmTetrahedralMesh.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace mmm
 {
@@ -79,6 +80,10 @@ public:
   /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. */
   std::size_t
   SmoothWorst(double quality);
+  /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of the
+   * zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
+  std::size_t
+  BalanceVolumes();
 
 private:
   void
@@ -90,9 +95,9 @@ private:
   }
   void
   ColourPoints();
-  template <typename TMove>
+  /** Calls move(point) for all points that are not fixed; returns how many moved. */
   std::size_t
-  MoveByColour(TMove && move);
+  MoveByColour(const std::function<bool(PointId)> & move);
   Vector
   IdealPlace(PointId p, const Tetrahedron & t) const;
   double
@@ -105,6 +110,8 @@ private:
   WorstAround(PointId p, const Vector & x, double enough) const;
   bool
   TryMove(PointId p, const Vector & target, double & worst);
+  double
+  MeanGap(PointId p) const;
   double
   WorstTriangleAround(PointId p, const Vector & x) const;
 

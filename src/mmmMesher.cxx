@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmMesher.h"
 
+#include "mmmConformingDelaunay.h"
 #include "mmmInteriorParticles.h"
 #include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
@@ -24,6 +25,7 @@
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
 #include "mmmTetGen.h"
+#include "mmmVolumeBalance.h"
 
 #include "itkMacro.h"
 
@@ -155,7 +157,7 @@ SortPoints(MeshingResult & result)
         points.push_back(result.points[p]);
         if (kind == Particle)
         {
-          kept.positions.push_back(result.points[p]);
+          kept.positions.push_back(particles.positions[p]);
           kept.cells.push_back(particles.cells[p]);
         }
       }
@@ -297,7 +299,19 @@ BuildMesh(const IndicatorSet &      indicators,
 
   monitor.BeginStage("constrained tetrahedralization");
   result.points = all.positions;
-  result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, result.interfaces.triangles);
+  const auto & triangles = result.interfaces.triangles;
+  try
+  {
+    result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    report.recoveryFailed = true;
+    if (!ConformingTetrahedralization(result.points, particles.Size(), triangles, result.tetrahedra.tetrahedra))
+    {
+      throw;
+    }
+  }
   result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
   report.steinerPoints = result.points.size() - all.Size();
   monitor.Report(1.0);
@@ -310,6 +324,8 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   report.optimization =
     OptimizeMesh(indicators, exterior, cells, parameters.optimization, result.points, result.tetrahedra, monitor);
+  std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
+  BalanceVolumes(indicators, exterior, cells, result.tetrahedra, result.points);
   DropMaterial(exterior, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);

@@ -56,11 +56,17 @@ Words(int code)
 void
 Run(const std::string & switches, tetgenio & in, tetgenio & out)
 {
-  LinkTetGenTermination();
   std::string arguments = switches;
   try
   {
+    const TetGenGuard guard;
     tetrahedralize(&arguments[0], &in, &out);
+  }
+  catch (const TetGenAssertion & assertion)
+  {
+    itkGenericExceptionMacro("TetGen (" << switches << ") stopped, its assertion failed: " << assertion.words
+                                        << " Input: " << in.numberofpoints << " points, " << in.numberoffacets
+                                        << " facets.");
   }
   catch (int code)
   {
@@ -85,6 +91,28 @@ SetPoints(tetgenio & io, const std::vector<Vector> & points)
   {
     std::copy_n(points[p].data(), 3, io.pointlist + 3 * p);
   }
+}
+
+/** Whether points do not all lie in one plane: TetGen crashes where they do. */
+bool
+FillSpace(const std::vector<Vector> & points)
+{
+  if (points.size() < 4)
+  {
+    return false;
+  }
+  Vector mean = Vector::Zero();
+  for (const Vector & x : points)
+  {
+    mean += x / double(points.size());
+  }
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Vector & x : points)
+  {
+    scatter += (x - mean) * (x - mean).transpose();
+  }
+  const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
+  return eigenvalues[0] > 1e-12 * eigenvalues[2];
 }
 
 /** TetGen's tetrahedra, each turned to positive orientation: its own varies. */
@@ -113,6 +141,12 @@ OrientedTetrahedra(const tetgenio & out)
 std::vector<Tetrahedron>
 DelaunayTetrahedralization(const std::vector<Vector> & points)
 {
+  if (!FillSpace(points))
+  {
+    itkGenericExceptionMacro("No tetrahedra between " << points.size()
+                                                      << " points: they lie in one plane. The parts to be meshed are too "
+                                                         "small; a --radius of 0 keeps more of them.");
+  }
   tetgenio in;
   tetgenio out;
   SetPoints(in, points);

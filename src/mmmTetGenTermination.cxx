@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "mmmTetGenTermination.h"
 
+#include <cstdio>
+#include <cstdlib>
+
 class tetgenmesh;
 
 // visible to the dynamic linker even where the module is a static library, whose other symbols are hidden
@@ -37,6 +40,31 @@ terminatetetgen(tetgenmesh *, int code)
   throw code;
 }
 
-void
-mmm::LinkTetGenTermination()
-{}
+namespace
+{
+thread_local bool inTetGen = false;
+}
+
+#ifdef __GLIBC__
+/** Debian's TetGen is built with assertions, some of which fail on valid input. Within TetGen they become exceptions. */
+extern "C" MMM_TETGEN_TERMINATION_EXPORT void
+__assert_fail(const char * assertion, const char * file, unsigned int line, const char * function)
+{
+  if (inTetGen)
+  {
+    throw mmm::TetGenAssertion{ assertion };
+  }
+  std::fprintf(stderr, "%s:%u: %s: Assertion `%s' failed.\n", file, line, function ? function : "", assertion);
+  std::abort();
+}
+#endif
+
+mmm::TetGenGuard::TetGenGuard()
+{
+  inTetGen = true;
+}
+
+mmm::TetGenGuard::~TetGenGuard()
+{
+  inTetGen = false;
+}

@@ -20,9 +20,23 @@
 
 namespace mmm
 {
-/** Does nothing. Who calls it links the replacement of TetGen's termination, also from a static library. */
-void
-LinkTetGenTermination();
+/** Thrown where an assertion of TetGen fails. */
+struct TetGenAssertion
+{
+  const char * words;
+};
+
+/** While it lives, TetGen's ways to end the program are exceptions in this thread: a code (int), or TetGenAssertion.
+ * Its use also links the replacements, from a static library too. */
+class TetGenGuard
+{
+public:
+  TetGenGuard();
+  ~TetGenGuard();
+  TetGenGuard(const TetGenGuard &) = delete;
+  TetGenGuard &
+  operator=(const TetGenGuard &) = delete;
+};
 } // namespace mmm
 
 #endif

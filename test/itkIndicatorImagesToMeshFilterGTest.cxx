@@ -152,7 +152,11 @@ TEST(IndicatorImagesToMeshFilter, SurfacePointsAreTheFirstOfTheMesh)
   for (std::size_t p = 0; p < surface.size(); ++p)
   {
     ASSERT_EQ(points[p], surface[p]);
-    ASSERT_EQ(points[p], particles[p]);
+    // points of curved surfaces leave the particles' places for the sake of the volumes
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_NEAR(points[p][axis], particles[p][axis], 0.5);
+    }
   }
   std::set<std::size_t> used;
   for (const auto & corners : mmmtest::CellsOf<3>(filter->GetSurface()))
