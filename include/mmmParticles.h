@@ -28,7 +28,7 @@
 
 namespace mmm
 {
-/** \brief Particles: points, each on its cell. Those of lower cells come first. */
+/** \brief Particles: points, each on its cell. */
 struct ParticleSet
 {
   std::vector<Vector>        positions;

@@ -27,17 +27,26 @@
 
 namespace mmm
 {
-/** \brief Points sorted into cubic bins, to find those near a place in constant time. */
+/** \brief Points sorted into cubic bins, to find those near a place in constant time.
+ *
+ * Bins are larger than asked for where there would be too many of them. */
 class PointBins
 {
 public:
   PointBins(const Grid & grid, double edge)
     : m_Edge(edge)
   {
+    double volume = 1.0;
+    for (int a = 0; a < 3; ++a)
+    {
+      volume *= grid.UpperFace(a) - grid.LowerFace(a);
+    }
+    // as many as grid nodes, and some for small grids
+    m_Edge = std::max(edge, std::cbrt(volume / (double(grid.NumberOfNodes()) + 1e5)));
     for (int a = 0; a < 3; ++a)
     {
       m_Origin[a] = grid.LowerFace(a);
-      m_Bins[a] = std::max(1, int(std::ceil((grid.UpperFace(a) - m_Origin[a]) / edge)));
+      m_Bins[a] = std::max(1, int(std::ceil((grid.UpperFace(a) - m_Origin[a]) / m_Edge)));
     }
   }
 

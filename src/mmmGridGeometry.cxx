@@ -129,7 +129,8 @@ UnionOfRegions(const std::vector<const itk::ImageBase<3> *> & images)
 bool
 HaveSameGeometry(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
 {
-  constexpr double tolerance = 1e-6;
+  // files in single precision, such as NIfTI, are to match
+  constexpr double tolerance = 1e-4;
   const double     lengthTolerance = tolerance * std::abs(a->GetSpacing()[0]);
   return a->GetOrigin().GetVnlVector().is_equal(b->GetOrigin().GetVnlVector(), lengthTolerance) &&
          a->GetSpacing().GetVnlVector().is_equal(b->GetSpacing().GetVnlVector(), lengthTolerance) &&

@@ -32,6 +32,16 @@ namespace
 constexpr double ThinningDistance = 0.80;
 constexpr double InterfaceDistance = 0.65;
 
+/** Candidates in a voxel; h below a quarter of a voxel is not followed in the interior. */
+constexpr double MostCandidates = 512.0;
+
+/** A number between 0 and 1 from the bits of a hash. */
+double
+Fraction(std::uint64_t hash)
+{
+  return double(hash >> 11) * 0x1p-53;
+}
+
 struct Candidate
 {
   Vector        position;
@@ -40,7 +50,7 @@ struct Candidate
   std::uint64_t order;
 };
 
-/** Two points per voxel where h is small, fewer where it is large: enough for the thinning to choose from. */
+/** Random points, as many as the thinning needs to choose from. */
 std::vector<Candidate>
 CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
 {
@@ -61,22 +71,25 @@ CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, i
           }
           const Vector        node = grid.Position(Index{ { i, j, int(k) } });
           const double        h = sizing(node);
-          const std::uint64_t draw = Hash(seed ^ Hash(n));
-          // about eight candidates a cube of edge h
-          const double share = std::min(1.0, 8.0 * grid.spacing.prod() / (h * h * h));
-          if (double(draw >> 11) * 0x1p-53 > share)
+          // about eight candidates a cube of edge h; where that is more than one a voxel, one a cube
+          const double cubes = grid.spacing.prod() / (h * h * h);
+          const double expected = std::min(std::max(std::min(8.0 * cubes, 1.0), cubes), MostCandidates);
+          for (int c = 0; c < expected; ++c)
           {
-            continue;
-          }
-          Vector x;
-          for (int a = 0; a < 3; ++a)
-          {
-            const double jitter = double(Hash(draw + a + 1) >> 11) * 0x1p-53 - 0.5;
-            x[a] = node[a] + jitter * grid.spacing[a];
-          }
-          if (indicators.MaterialAt(x) == m)
-          {
-            parts[k].push_back({ x, m, float(sizing(x)), Hash(draw) });
+            const std::uint64_t draw = Hash(seed ^ Hash(n) ^ (std::uint64_t(c) << 32));
+            if (Fraction(draw) > expected - c)
+            {
+              continue;
+            }
+            Vector x;
+            for (int a = 0; a < 3; ++a)
+            {
+              x[a] = node[a] + (Fraction(Hash(draw + a + 1)) - 0.5) * grid.spacing[a];
+            }
+            if (indicators.MaterialAt(x) == m)
+            {
+              parts[k].push_back({ x, m, float(sizing(x)), Hash(draw) });
+            }
           }
         }
       }

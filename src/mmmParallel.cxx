@@ -37,8 +37,9 @@ ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::
     }
     return;
   }
-  std::exception_ptr failure;
-  std::mutex         mutex;
+  std::exception_ptr  failure;
+  itk::SizeValueType  failedRange = ranges;
+  std::mutex          mutex;
   const auto         threader = itk::MultiThreaderBase::New();
   threader->ParallelizeArray(
     0,
@@ -51,7 +52,11 @@ ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::
       catch (...)
       {
         const std::lock_guard<std::mutex> lock(mutex);
-        failure = std::current_exception();
+        if (range < failedRange)
+        {
+          failedRange = range;
+          failure = std::current_exception();
+        }
       }
     },
     nullptr);

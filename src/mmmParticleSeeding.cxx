@@ -29,11 +29,10 @@ namespace
 {
 /** Thinning at this distance, in units of h, leaves about as many particles as a hexagonal packing of h has. */
 constexpr double ThinningDistance = 0.68;
-/** A seed's projection stays within this distance of its cube's centre, in units of the smallest voxel spacing. */
+/** A seed's projection stays within this distance of its cube's centre, in units of the largest voxel
+ * spacing. */
 constexpr double SeedReach = 1.2;
 constexpr double MaximalityTolerance = 1e-3;
-/** More materials than these at one cube are noise; their junctions are sampled from the cubes around. */
-constexpr int MaximalMaterials = 6;
 
 struct Seed
 {
@@ -68,7 +67,6 @@ public:
       return;
     }
     std::sort(present, present + std::min(count, Most));
-    count = std::min(count, MaximalMaterials + 3);
     for (int a = 0; a < count; ++a)
     {
       for (int b = a + 1; b < count; ++b)

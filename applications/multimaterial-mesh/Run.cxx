@@ -83,6 +83,44 @@ CheckOutputs(const Settings & settings)
   }
 }
 
+/** Whether a name is a prefix, a label and a suffix. */
+bool
+IsNameForLabel(const std::string & name, const std::string & prefix, const std::string & suffix)
+{
+  if (name.size() <= prefix.size() + suffix.size() || name.compare(0, prefix.size(), prefix) != 0 ||
+      name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
+  {
+    return false;
+  }
+  const auto digits = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+  return digits.find_first_not_of("-0123456789") == std::string::npos;
+}
+
+/** Names that are made of a prefix and a label must not be those of other files. */
+void
+CheckPrefixes(const Settings & settings)
+{
+  const auto check = [&](const std::string & option, const std::string & forZero, const std::string & prefix) {
+    if (prefix.empty())
+    {
+      return;
+    }
+    const auto stem = forZero.substr(0, forZero.rfind("0."));
+    const auto suffix = forZero.substr(stem.size() + 1);
+    for (const auto & other : { settings.labels, settings.sizingImage, settings.output, settings.surface,
+                                settings.particles, settings.report, settings.sizingFile })
+    {
+      if (IsNameForLabel(other, stem, suffix))
+      {
+        throw UsageError(option + " " + prefix + " could write to " + other +
+                         ", which is the name of another file; choose another prefix");
+      }
+    }
+  };
+  check("--save-indicators", IndicatorName(settings, 0), settings.indicatorPrefix);
+  check("--surface-per-label", NameForLabel(settings.surfacePrefix, 0), settings.surfacePrefix);
+}
+
 /** Fills in the lengths that follow from the image, so that they can be reported. */
 void
 ResolveLengths(Settings & settings, const LabelImage & labels)
@@ -172,6 +210,7 @@ void
 Run(Settings settings)
 {
   CheckOutputs(settings);
+  CheckPrefixes(settings);
   if (settings.threads)
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(itk::ThreadIdType(*settings.threads));

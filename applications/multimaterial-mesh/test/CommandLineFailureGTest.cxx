@@ -150,6 +150,15 @@ TEST_F(CommandLineFailure, SurfaceIsKeptIfTetGenFails)
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out-surface-for-inspection.vtu" }));
 }
 
+TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForAMesh)
+{
+  const auto labels = this->WriteBalls();
+  const auto result =
+    RunAfter("export FAIL_ONCE=1 LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
+}
+
 TEST_F(CommandLineFailure, TetGensOwnWordsArePassedOn)
 {
   const auto result = RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { this->WriteBalls(), this->Path("out.vtu") });

@@ -15,18 +15,23 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered.
+// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered, and from then on; with
+// FAIL_ONCE in the environment only there.
 #include <tetgen.h>
 
 #include <dlfcn.h>
 
+#include <cstdlib>
 #include <cstring>
 
 void
 tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin, tetgenio * bgmin)
 {
-  if (std::strchr(switches, 'p') != nullptr)
+  static bool failed = false;
+  const bool  recovery = std::strchr(switches, 'p') != nullptr;
+  if (recovery || (failed && std::getenv("FAIL_ONCE") == nullptr))
   {
+    failed = true;
     throw 3;
   }
   using Function = void (*)(char *, tetgenio *, tetgenio *, tetgenio *, tetgenio *);
