@@ -27,8 +27,8 @@ namespace mmm
 {
 /** \brief The set M of materials that meet at a junction, sorted.
  *
- * Two materials meet on a 2-cell (a surface), three on a 1-cell (a curve), four on a 0-cell (a point). Where junctions lie
- * closer together than can be meshed they are one point of up to Capacity materials. */
+ * Two materials meet on a 2-cell (a surface), three on a 1-cell (a curve), four on a 0-cell (a point). Where junctions
+ * lie closer together than can be meshed they are one point of up to Capacity materials. */
 struct Cell
 {
   static constexpr int Capacity = 8;

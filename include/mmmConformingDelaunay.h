@@ -23,7 +23,8 @@
 
 namespace mmm
 {
-/** \brief Delaunay tetrahedra that have given triangles among their faces, for where the recovery of the triangles fails.
+/** \brief Delaunay tetrahedra that have given triangles among their faces, for where the recovery of the triangles
+ * fails.
  *
  * The triangles come from the Delaunay tetrahedralization of the first `numberOfSurfacePoints` points. In that of all
  * points most of them are still there; where one is not, points in its way are left out, in the end all others. Points

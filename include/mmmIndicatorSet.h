@@ -37,10 +37,7 @@ class MultiMaterialMeshing_EXPORT IndicatorSet
 public:
   /** The views must outlive the set. Their values times `scale` are lengths in the unit of Grid, which `outside` is
    * in, too. */
-  IndicatorSet(const Grid &                        grid,
-               std::vector<BlockView<const float>> indicators,
-               double                              outside,
-               double                              scale = 1.0);
+  IndicatorSet(const Grid & grid, std::vector<BlockView<const float>> indicators, double outside, double scale = 1.0);
 
   const Grid &
   GetGrid() const
@@ -95,8 +92,8 @@ public:
   bool
   Project(const Cell & cell, Vector & x, double reach) const;
 
-  /** One step of Project(), for a point that is near the cell already. `direction` becomes the normal of a 2-cell or the
-   * tangent of a 1-cell. Returns false, and leaves the point, where the cell is further than half a voxel. */
+  /** One step of Project(), for a point that is near the cell already. `direction` becomes the normal of a 2-cell or
+   * the tangent of a 1-cell. Returns false, and leaves the point, where the cell is further than half a voxel. */
   bool
   Approach(const Cell & cell, Vector & x, Vector & direction) const;
 

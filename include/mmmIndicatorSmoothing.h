@@ -40,7 +40,7 @@ MultiMaterialMeshing_EXPORT std::vector<MaterialBox>
 /** The nodes that the indicator of a material covers: the material's box and the band around it, as far as the grid
  * goes. */
 MultiMaterialMeshing_EXPORT MaterialBox
-                            ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
+ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
 
 /** \brief The smooth indicator function of one material: a signed distance, positive inside, of the smoothed material.
  *
@@ -53,7 +53,7 @@ MultiMaterialMeshing_EXPORT MaterialBox
  * Radius 0 stops after step 1. Values are cut off at +-IndicatorBandWidth. The block covers the material's box and the
  * band around it, as far as the image goes; beyond the block the material's value is -IndicatorBandWidth. */
 MultiMaterialMeshing_EXPORT Block<float>
-                            ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius);
+ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius);
 } // namespace mmm
 
 #endif

@@ -44,9 +44,9 @@ public:
   IndexAt(std::size_t offset) const
   {
     const auto row = offset / m_Size[0];
-    return Index{ { m_Lower[0] + int(offset % m_Size[0]),
-                    m_Lower[1] + int(row % m_Size[1]),
-                    m_Lower[2] + int(row / m_Size[1]) } };
+    return Index{
+      { m_Lower[0] + int(offset % m_Size[0]), m_Lower[1] + int(row % m_Size[1]), m_Lower[2] + int(row / m_Size[1]) }
+    };
   }
   const Index &
   GetLower() const
@@ -89,9 +89,10 @@ public:
   Redistance();
 
   /** Moves the zero level by the difference between its mean curvature and that curvature's local average, until it
-   * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. No value changes faster than `tolerance` per unit of time
-   * (root mean square over the band), for at most `maximumSteps` explicit steps. `lower` and `upper`, given per node of
-   * the band, are obstacles that the values never pass. Returns the number of steps taken. */
+   * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. No
+   * value changes faster than `tolerance` per unit of time (root mean square over the band), for at most `maximumSteps`
+   * explicit steps. `lower` and `upper`, given per node of the band, are obstacles that the values never pass. Returns
+   * the number of steps taken. */
   int
   FlowByMeanCurvature(const std::vector<float> & lower,
                       const std::vector<float> & upper,

@@ -27,13 +27,13 @@ namespace mmm
 /** \brief The grid nodes where a labelled tetrahedralization misses a part of a material.
  *
  * Such a node lies in a tetrahedron of another material, and so do all of its 6 neighbours of its own material: it is
- * not the interface that is a little off, but a thread, a sheet or a tip is gone. `exterior` is the material of what the
- * tetrahedra do not fill. The nodes are sorted. */
+ * not the interface that is a little off, but a thread, a sheet or a tip is gone. `exterior` is the material of what
+ * the tetrahedra do not fill. The nodes are sorted. */
 MultiMaterialMeshing_EXPORT std::vector<std::size_t>
-FindLostNodes(const IndicatorSet &        indicators,
-              const std::vector<Vector> & points,
-              const TetrahedralMesh &     mesh,
-              Material                    exterior);
+                            FindLostNodes(const IndicatorSet &        indicators,
+                                          const std::vector<Vector> & points,
+                                          const TetrahedralMesh &     mesh,
+                                          Material                    exterior);
 } // namespace mmm
 
 #endif

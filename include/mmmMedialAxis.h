@@ -33,10 +33,10 @@ namespace mmm
  * - along the normals, where a layer is thinner than 3 voxels: from each interface sample across the material to the
  *   interface on the other side; the axis point lies halfway.
  *
- * Every convex wedge's axis runs into the junction that it ends on, and would pull the local feature size to zero there:
- * feet on two interfaces that meet within 2.5 voxels in a junction of those three materials do not count. */
+ * Every convex wedge's axis runs into the junction that it ends on, and would pull the local feature size to zero
+ * there: feet on two interfaces that meet within 2.5 voxels in a junction of those three materials do not count. */
 MultiMaterialMeshing_EXPORT std::vector<Vector>
-                            ComputeMedialAxis(const IndicatorSet & indicators, const std::vector<InterfaceSample> & samples);
+ComputeMedialAxis(const IndicatorSet & indicators, const std::vector<InterfaceSample> & samples);
 } // namespace mmm
 
 #endif

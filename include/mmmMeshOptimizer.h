@@ -52,9 +52,9 @@ struct OptimizationReport
  *
  * The quality of a tetrahedron is that of its extreme dihedral angles. All points move so that the radius ratios around
  * them grow on average, those of poor tetrahedra so that the worst one gets better. Points of the interior move freely;
- * points of an interface slide on their own cell by its projection. Edges are removed, on interfaces too (the surface's edge is
- * flipped) where the new one stays near the zero set; faces are flipped, edges collapsed, and a flat tetrahedron on an
- * interface goes to the other side. No step changes the topology of an interface.
+ * points of an interface slide on their own cell by its projection. Edges are removed, on interfaces too (the surface's
+ * edge is flipped) where the new one stays near the zero set; faces are flipped, edges collapsed, and a flat
+ * tetrahedron on an interface goes to the other side. No step changes the topology of an interface.
  *
  * `cells` gives, for the first points of `points`, the cell that each lies on; all others are free. */
 MultiMaterialMeshing_EXPORT OptimizationReport

@@ -30,9 +30,9 @@ namespace mmm
 struct MeshingParameters
 {
   /** The number of the material that is not meshed, or -1. */
-  int                  exterior{ -1 };
-  std::uint64_t        seed{ 1 };
-  RelaxationParameters relaxation;
+  int                    exterior{ -1 };
+  std::uint64_t          seed{ 1 };
+  RelaxationParameters   relaxation;
   OptimizationParameters optimization;
   /** Stop after the surface: no tetrahedra. */
   bool surfaceOnly{ false };
@@ -62,8 +62,8 @@ struct MeshingResult
   TetrahedralMesh     tetrahedra;
   /** How many of `points`, the first, belong to the interfaces. */
   std::size_t numberOfSurfacePoints{ 0 };
-  /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved surfaces
-   * have left their cell a little for the sake of the volumes. */
+  /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved
+   * surfaces have left their cell a little for the sake of the volumes. */
   ParticleSet   particles;
   MeshingReport report;
 };
@@ -71,9 +71,9 @@ struct MeshingResult
 /** \brief From indicators and a sizing field to the surface and the tetrahedra.
  *
  * Particles on 0-, 1- and 2-cells are seeded and relaxed, lower cells first; their Delaunay tetrahedralization is
- * labelled by the indicators, which gives the interfaces; particles of the interior follow, relaxed like the others; the
- * constrained tetrahedralization of all is improved. `result` is filled stage by stage: where a later stage throws, it
- * holds what the stages before it made. */
+ * labelled by the indicators, which gives the interfaces; particles of the interior follow, relaxed like the others;
+ * the constrained tetrahedralization of all is improved. `result` is filled stage by stage: where a later stage throws,
+ * it holds what the stages before it made. */
 MultiMaterialMeshing_EXPORT void
 BuildMesh(const IndicatorSet &      indicators,
           const SizingField &       sizing,

@@ -26,8 +26,9 @@ namespace mmm
 /** \brief Joins particles that lie too close together for good triangles.
  *
  * On one sheet that is a part of h; between sheets and junctions, which h does not keep apart, a part of the smallest
- * voxel spacing. The particle of the lowest cell stays and belongs to the materials of all that it took in: two junctions
- * closer than this are one point, and a layer thinner than this is pinched. Returns how many particles are gone. */
+ * voxel spacing. The particle of the lowest cell stays and belongs to the materials of all that it took in: two
+ * junctions closer than this are one point, and a layer thinner than this is pinched. Returns how many particles are
+ * gone. */
 MultiMaterialMeshing_EXPORT std::size_t
 MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing, ParticleSet & particles);
 } // namespace mmm

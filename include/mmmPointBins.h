@@ -72,7 +72,8 @@ public:
     }
   }
 
-  /** Calls visit(point) for every point of the bins that a ball touches, in an order that depends on the points only. */
+  /** Calls visit(point) for every point of the bins that a ball touches, in an order that depends on the points only.
+   */
   template <typename TVisitor>
   void
   Visit(const Vector & centre, double radius, TVisitor && visit) const

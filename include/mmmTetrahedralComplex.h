@@ -23,8 +23,8 @@
 
 namespace mmm
 {
-/** \brief A labelled tetrahedral mesh that can be changed locally: tetrahedra know their neighbours, points one of their
- * tetrahedra. */
+/** \brief A labelled tetrahedral mesh that can be changed locally: tetrahedra know their neighbours, points one of
+ * their tetrahedra. */
 class MultiMaterialMeshing_EXPORT TetrahedralComplex
 {
 public:

@@ -27,8 +27,8 @@ namespace mmm
 /** \brief Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides
  * of the zero set in equal parts.
  *
- * With all corners on it, convex materials lose volume: 5 % for a ball of six voxels' radius. `cells` gives, for the first
- * points, the cell that each lies on. No tetrahedron is inverted; `exterior` ones may be part of the mesh. */
+ * With all corners on it, convex materials lose volume: 5 % for a ball of six voxels' radius. `cells` gives, for the
+ * first points, the cell that each lies on. No tetrahedron is inverted; `exterior` ones may be part of the mesh. */
 MultiMaterialMeshing_EXPORT void
 BalanceVolumes(const IndicatorSet &      indicators,
                Material                  exterior,

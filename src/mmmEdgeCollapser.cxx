@@ -135,11 +135,12 @@ bool
 EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vector<Material> & materials, double floor)
 {
   m_State.complex.GetRing(t, u, v, m_Ring);
-  int  cuts = m_Ring.closed ? 0 : 2;
+  int       cuts = m_Ring.closed ? 0 : 2;
   const int count = int(m_Ring.tetrahedra.size());
   for (int n = m_Ring.closed ? 0 : 1; n < count; ++n)
   {
-    cuts += m_State.complex.MaterialOf(m_Ring.tetrahedra[n]) != m_State.complex.MaterialOf(m_Ring.tetrahedra[(n + count - 1) % count]);
+    cuts += m_State.complex.MaterialOf(m_Ring.tetrahedra[n]) !=
+            m_State.complex.MaterialOf(m_Ring.tetrahedra[(n + count - 1) % count]);
   }
   if (cuts != 2)
   {

@@ -41,7 +41,11 @@ private:
   bool
   LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
   bool
-  MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, const std::vector<Material> & materials, double floor);
+  MayCollapseOnInterface(OptimizerState::Id            t,
+                         PointId                       u,
+                         PointId                       v,
+                         const std::vector<Material> & materials,
+                         double                        floor);
 
   OptimizerState &                m_State;
   TetrahedralComplex::Ring        m_Ring;

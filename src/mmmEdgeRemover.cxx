@@ -99,7 +99,7 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
     return false;
   }
   // the link turns counterclockwise as seen from b, or the other way round: find out
-  std::vector<PointId> link = m_Ring.link;
+  std::vector<PointId>  link = m_Ring.link;
   std::vector<Material> materials;
   for (const Id r : ring)
   {
@@ -147,7 +147,8 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
       return;
     }
     triangles.clear();
-    after = std::min(after, this->TriangulateLink(polygon, a, b, material, before + OptimizerState::LeastGain, triangles));
+    after =
+      std::min(after, this->TriangulateLink(polygon, a, b, material, before + OptimizerState::LeastGain, triangles));
     for (const auto & triangle : triangles)
     {
       fresh.push_back({ { { triangle[0], triangle[1], triangle[2], b } }, material });
@@ -160,11 +161,12 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   }
   else if (cuts.size() == 2 && before < QualityOfAngle(m_State.parameters.poorAngle))
   {
-    const PointId c = link[cuts[0]];
-    const PointId d = link[cuts[1]];
+    const PointId  c = link[cuts[0]];
+    const PointId  d = link[cuts[1]];
     const Material one = materials[cuts[0]];
     const Material two = m_Ring.closed ? materials[cuts[1] % count] : m_State.exterior;
-    if (!this->MayFlip(a, b, c, d, one, two, OptimizerState::TriangleFloor(before)) || (!m_Ring.closed && this->AreNeighbours(c, d)))
+    if (!this->MayFlip(a, b, c, d, one, two, OptimizerState::TriangleFloor(before)) ||
+        (!m_Ring.closed && this->AreNeighbours(c, d)))
     {
       return false;
     }
@@ -236,10 +238,10 @@ EdgeRemover::RemoveFace(Id t, int face)
   {
     return false;
   }
-  const Id       other = m_State.complex.Neighbour(t, face);
-  const auto     corners = m_State.complex.Corners(t);
-  const PointId  top = corners[face];
-  PointId        bottom = top;
+  const Id      other = m_State.complex.Neighbour(t, face);
+  const auto    corners = m_State.complex.Corners(t);
+  const PointId top = corners[face];
+  PointId       bottom = top;
   for (const auto corner : m_State.complex.Corners(other))
   {
     if (std::find(corners.begin(), corners.end(), corner) == corners.end())
@@ -247,7 +249,7 @@ EdgeRemover::RemoveFace(Id t, int face)
       bottom = corner;
     }
   }
-  const double before = std::min(m_State.Quality(t), m_State.Quality(other));
+  const double         before = std::min(m_State.Quality(t), m_State.Quality(other));
   std::vector<Element> fresh;
   for (int c = 0; c < 3; ++c)
   {

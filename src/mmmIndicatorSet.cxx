@@ -123,7 +123,8 @@ IndicatorSet::ListCandidates()
               {
                 const float * values =
                   block.values +
-                  (std::size_t(k - block.lower[2]) * block.size[1] + (j - block.lower[1])) * block.size[0] - block.lower[0];
+                  (std::size_t(k - block.lower[2]) * block.size[1] + (j - block.lower[1])) * block.size[0] -
+                  block.lower[0];
                 const auto row = m_Grid.Offset(0, j, k);
                 for (int i = low[0]; i < high[0] && !found; ++i)
                 {
@@ -246,9 +247,9 @@ IndicatorSet::Evaluate(Material m, const Stencil & stencil, Vector & gradient) c
         for (int i = 0; i < 4; ++i)
         {
           const bool   known = rowInside && local[0][i] >= 0 && local[0][i] < block.size[0];
-          const double f = known ? block.values[(std::size_t(local[2][k]) * block.size[1] + local[1][j]) * block.size[0] +
-                                                local[0][i]]
-                                 : outside;
+          const double f =
+            known ? block.values[(std::size_t(local[2][k]) * block.size[1] + local[1][j]) * block.size[0] + local[0][i]]
+                  : outside;
           rowValue += stencil.weight[0][i] * f;
           rowX += stencil.slope[0][i] * f;
         }

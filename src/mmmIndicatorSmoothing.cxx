@@ -33,7 +33,8 @@ constexpr int BorderContinuation = 3;
 /** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
  * than half a voxel lets it yield: by how much the radius is larger. */
 constexpr float CentreMargin = 0.1f;
-/** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh. */
+/** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh.
+ */
 constexpr float ThinCentreMargin = 0.2f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
@@ -143,8 +144,8 @@ OffsetAndBack(LevelSet levelSet, double offset)
 void
 Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
 {
-  std::vector<float> opening = OffsetAndBack(levelSet, -radius);
-  std::vector<float> closing = OffsetAndBack(levelSet, radius);
+  std::vector<float>       opening = OffsetAndBack(levelSet, -radius);
+  std::vector<float>       closing = OffsetAndBack(levelSet, radius);
   const std::vector<float> start = BandValues(levelSet);
   const float              yield = float(std::max(0.0, radius - 0.5));
   for (std::size_t b = 0; b < opening.size(); ++b)
@@ -193,7 +194,8 @@ ComputeMaterialBoxes(const MaterialImage & image)
     if (upper[m][0] >= 0)
     {
       boxes[m].lower = lower[m];
-      boxes[m].size = Index{ { upper[m][0] - lower[m][0] + 1, upper[m][1] - lower[m][1] + 1, upper[m][2] - lower[m][2] + 1 } };
+      boxes[m].size =
+        Index{ { upper[m][0] - lower[m][0] + 1, upper[m][1] - lower[m][1] + 1, upper[m][2] - lower[m][2] + 1 } };
     }
   }
   return boxes;

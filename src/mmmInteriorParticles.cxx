@@ -69,8 +69,8 @@ CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, i
           {
             continue;
           }
-          const Vector        node = grid.Position(Index{ { i, j, int(k) } });
-          const double        h = sizing(node);
+          const Vector node = grid.Position(Index{ { i, j, int(k) } });
+          const double h = sizing(node);
           // about eight candidates a cube of edge h; where that is more than one a voxel, one a cube
           const double cubes = grid.spacing.prod() / (h * h * h);
           const double expected = std::min(std::max(std::min(8.0 * cubes, 1.0), cubes), MostCandidates);
@@ -100,7 +100,8 @@ CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, i
   {
     candidates.insert(candidates.end(), part.begin(), part.end());
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) { return a.order < b.order; });
+  std::sort(
+    candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) { return a.order < b.order; });
   return candidates;
 }
 } // namespace
@@ -135,8 +136,7 @@ SeedInteriorParticles(const IndicatorSet & indicators,
     });
     if (free)
     {
-      const auto entry =
-        cellNumbers.insert({ candidate.material, std::uint32_t(particles.cellTable.size()) });
+      const auto entry = cellNumbers.insert({ candidate.material, std::uint32_t(particles.cellTable.size()) });
       if (entry.second)
       {
         particles.cellTable.push_back(Cell{ candidate.material });

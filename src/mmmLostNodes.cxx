@@ -110,8 +110,7 @@ VisitNodesInside(const Grid & grid, const Vector (&corners)[4], TVisitor && visi
       double last = high[0] * grid.spacing[0];
       for (int f = 0; f < 4; ++f)
       {
-        const double rest =
-          offsets[f] - normals[f][1] * j * grid.spacing[1] - normals[f][2] * k * grid.spacing[2];
+        const double rest = offsets[f] - normals[f][1] * j * grid.spacing[1] - normals[f][2] * k * grid.spacing[2];
         if (normals[f][0] > 0.0)
         {
           last = std::min(last, rest / normals[f][0]);
@@ -172,7 +171,8 @@ FindLostNodes(const IndicatorSet &        indicators,
     }
     bool found = false;
     VisitNeighbours(grid, grid.IndexAt(n), [&](std::size_t other) {
-      found = found || (materials[other] == materials[n] && (states[other] == Right || states[other] == FarFromInterfaces));
+      found =
+        found || (materials[other] == materials[n] && (states[other] == Right || states[other] == FarFromInterfaces));
     });
     if (!found)
     {

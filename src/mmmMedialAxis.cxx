@@ -178,7 +178,12 @@ private:
 
 /** Whether the feet p and q, on the interfaces of `own` with `atP` and `atQ`, belong to one junction's wedge. */
 bool
-MeetInJunction(const JunctionTable & junctions, Material own, Material atP, Material atQ, const Vector & p, const Vector & q)
+MeetInJunction(const JunctionTable & junctions,
+               Material              own,
+               Material              atP,
+               Material              atQ,
+               const Vector &        p,
+               const Vector &        q)
 {
   if (atP == atQ || atP == own || atQ == own)
   {
@@ -227,8 +232,7 @@ ProbeThinLayer(const IndicatorSet &    indicators,
   const double thickness = 0.5 * (inside + outside);
   const Vector end = sample.position + thickness * inwards;
   const Vector across = indicators.Normal(Cell{ own, other }, end) * (own < other ? 1.0 : -1.0);
-  if (across.dot(inwards) < 0.0 ||
-      MeetInJunction(junctions, own, Opposite(sample, own), other, sample.position, end))
+  if (across.dot(inwards) < 0.0 || MeetInJunction(junctions, own, Opposite(sample, own), other, sample.position, end))
   {
     return false;
   }
@@ -237,9 +241,7 @@ ProbeThinLayer(const IndicatorSet &    indicators,
 }
 
 std::vector<Vector>
-ProbeAll(const IndicatorSet &                 indicators,
-         const JunctionTable &                junctions,
-         const std::vector<InterfaceSample> & samples)
+ProbeAll(const IndicatorSet & indicators, const JunctionTable & junctions, const std::vector<InterfaceSample> & samples)
 {
   constexpr std::size_t            Grain = 4096;
   std::vector<std::vector<Vector>> parts((samples.size() + Grain - 1) / Grain);
@@ -304,8 +306,8 @@ CompareFeet(const IndicatorSet &                 indicators,
             }
             const Vector            y = grid.Position(after);
             const InterfaceSample & q = samples[feet.sources[m]];
-            const Vector toP = p.position - x;
-            const Vector toQ = q.position - y;
+            const Vector            toP = p.position - x;
+            const Vector            toQ = q.position - y;
             if ((p.position - q.position).squaredNorm() < LeastSeparation * LeastSeparation ||
                 toP.dot(toQ) > step.largestCosine * toP.norm() * toQ.norm())
             {

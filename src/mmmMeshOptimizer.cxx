@@ -46,8 +46,8 @@ public:
     , m_SideChanger(state, m_EdgeRemover)
   {}
 
-  /** Works on all tetrahedra below a quality, worst first; those that are not below `poorQuality` get flips within their
-   * material only. Returns the number of changes. */
+  /** Works on all tetrahedra below a quality, worst first; those that are not below `poorQuality` get flips within
+   * their material only. Returns the number of changes. */
   std::size_t
   Improve(double quality, double poorQuality)
   {
@@ -125,8 +125,7 @@ OptimizeMesh(const IndicatorSet &           indicators,
   {
     std::size_t changes = 0;
     {
-      OptimizerState state{ indicators, exterior, cells,
-                            parameters, points,   TetrahedralComplex(mesh, points.size()),
+      OptimizerState state{ indicators, exterior, cells, parameters, points, TetrahedralComplex(mesh, points.size()),
                             report };
       changes = ConnectivityImprover(state).Improve(flipQuality, poorQuality);
       mesh = state.complex.GetMesh();

@@ -80,8 +80,8 @@ public:
   /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. */
   std::size_t
   SmoothWorst(double quality);
-  /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of the
-   * zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
+  /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
+   * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
   std::size_t
   BalanceVolumes();
 
@@ -115,18 +115,18 @@ private:
   double
   WorstTriangleAround(PointId p, const Vector & x) const;
 
-  const IndicatorSet &             m_Indicators;
-  const Material                   m_Exterior;
-  const std::vector<Cell> &        m_Cells;
-  std::vector<Vector> &            m_Points;
-  const std::vector<Tetrahedron> & m_Tetrahedra;
-  const std::vector<Material> &    m_Materials;
-  std::vector<Freedom>             m_Freedom;
-  std::vector<std::uint32_t>       m_StarStart;
-  std::vector<std::uint32_t>       m_Star;
-  std::vector<std::uint32_t>       m_FanStart;
+  const IndicatorSet &                m_Indicators;
+  const Material                      m_Exterior;
+  const std::vector<Cell> &           m_Cells;
+  std::vector<Vector> &               m_Points;
+  const std::vector<Tetrahedron> &    m_Tetrahedra;
+  const std::vector<Material> &       m_Materials;
+  std::vector<Freedom>                m_Freedom;
+  std::vector<std::uint32_t>          m_StarStart;
+  std::vector<std::uint32_t>          m_Star;
+  std::vector<std::uint32_t>          m_FanStart;
   std::vector<std::array<PointId, 2>> m_Fan;
-  std::vector<std::vector<PointId>> m_Colours;
+  std::vector<std::vector<PointId>>   m_Colours;
 };
 } // namespace mmm
 

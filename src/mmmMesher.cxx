@@ -35,7 +35,10 @@ namespace mmm
 {
 namespace
 {
-const char * const RelaxationNames[] = { "", "relaxation of 1-cells", "relaxation of 2-cells", "relaxation of the interior" };
+const char * const RelaxationNames[] = { "",
+                                         "relaxation of 1-cells",
+                                         "relaxation of 2-cells",
+                                         "relaxation of the interior" };
 
 /** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
 constexpr int SurfaceRounds = 5;
@@ -183,25 +186,23 @@ SortPoints(MeshingResult & result)
 }
 
 std::size_t
-CountInconsistentTriangles(const IndicatorSet & indicators,
-                           const ParticleSet &  particles,
+CountInconsistentTriangles(const IndicatorSet &  indicators,
+                           const ParticleSet &   particles,
                            const InterfaceMesh & interfaces,
                            Material              exterior)
 {
   const auto lies = [&](PointId corner, Material side) {
     const Cell & cell = particles.CellOf(corner);
-    return cell.Has(side) || (side == exterior && std::any_of(cell.begin(), cell.end(), [&](Material m) {
-             return indicators.IsPlane(m);
-           }));
+    return cell.Has(side) || (side == exterior &&
+                              std::any_of(cell.begin(), cell.end(), [&](Material m) { return indicators.IsPlane(m); }));
   };
   std::size_t count = 0;
   for (std::size_t t = 0; t < interfaces.triangles.size(); ++t)
   {
     const auto & sides = interfaces.sides[t];
     const auto & corners = interfaces.triangles[t];
-    count += !std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
-      return lies(corner, sides[0]) && lies(corner, sides[1]);
-    });
+    count += !std::all_of(
+      corners.begin(), corners.end(), [&](PointId corner) { return lies(corner, sides[0]) && lies(corner, sides[1]); });
   }
   return count;
 }
@@ -252,10 +253,11 @@ BuildMesh(const IndicatorSet &      indicators,
   monitor.BeginStage("surface");
   if (particles.Size() < 4)
   {
-    itkGenericExceptionMacro("There is no interface to mesh: "
-                             << particles.Size()
-                             << " particles found a place on one. The image needs at least one voxel of a label that is "
-                                "not exterior.");
+    itkGenericExceptionMacro(
+      "There is no interface to mesh: "
+      << particles.Size()
+      << " particles found a place on one. The image needs at least one voxel of a label that is "
+         "not exterior.");
   }
   TetrahedralMesh labelled;
   for (int round = 0; round <= SurfaceRounds; ++round)

@@ -63,9 +63,8 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       const Cell & own = particles.CellOf(p);
       const Cell & other = particles.CellOf(q);
       double       limit = own.Dimension() == 2 ? LayerDistance : JunctionDistance;
-      if (other.Includes(own) &&
-          (other != own || own.Dimension() != 2 ||
-           indicators.Normal(own, x).dot(indicators.Normal(own, particles.positions[q])) > 0.0))
+      if (other.Includes(own) && (other != own || own.Dimension() != 2 ||
+                                  indicators.Normal(own, x).dot(indicators.Normal(own, particles.positions[q])) > 0.0))
       {
         limit = SheetDistance * h;
       }

@@ -205,7 +205,8 @@ AddThinned(const IndicatorSet & indicators,
           return;
         }
         const Cell & other = particles.CellOf(p);
-        if (other.Includes(candidate.cell) && (particles.positions[p] - candidate.position).squaredNorm() < reach * reach)
+        if (other.Includes(candidate.cell) &&
+            (particles.positions[p] - candidate.position).squaredNorm() < reach * reach)
         {
           // the other side of a thin gap does not count
           free = candidate.cell.count == 2 && other == candidate.cell && normals[p].dot(candidate.normal) <= 0.0;

@@ -113,9 +113,11 @@ SideChanger::ChangeOneFace(Id t, const Faces & faces)
     }
   }
   // the tip has to lie above the middle of the face: no fold
-  const auto &  face = TetrahedronFaces[faces.numbers[0]];
-  const Vector  x[3] = { m_State.points[corners[face[0]]], m_State.points[corners[face[1]]], m_State.points[corners[face[2]]] };
-  const Vector  normal = (x[1] - x[0]).cross(x[2] - x[0]);
+  const auto &   face = TetrahedronFaces[faces.numbers[0]];
+  const Vector   x[3] = { m_State.points[corners[face[0]]],
+                          m_State.points[corners[face[1]]],
+                          m_State.points[corners[face[2]]] };
+  const Vector   normal = (x[1] - x[0]).cross(x[2] - x[0]);
   const Vector & y = m_State.points[tip];
   for (int n = 0; n < 3; ++n)
   {
@@ -199,10 +201,10 @@ SideChanger::ChangeThreeFaces(Id t, const Faces & faces)
   {
     const auto & face = TetrahedronFaces[faces.numbers[f]];
     centre += m_State.points[corners[faces.numbers[f]]] / 3.0;
-    worstBefore = std::min(worstBefore,
-                           TriangleRadiusRatio(m_State.points[corners[face[0]]],
-                                               m_State.points[corners[face[1]]],
-                                               m_State.points[corners[face[2]]]));
+    worstBefore =
+      std::min(worstBefore,
+               TriangleRadiusRatio(
+                 m_State.points[corners[face[0]]], m_State.points[corners[face[1]]], m_State.points[corners[face[2]]]));
   }
   const PointId a = corners[faces.numbers[0]];
   const PointId b = corners[faces.numbers[1]];

@@ -25,8 +25,8 @@ namespace mmm
 /** \brief Gives a bad tetrahedron that lies flat on an interface to the material on its other side.
  *
  * With two faces on the interface, these go over to the two others, as if an edge were flipped. With three, the point
- * that they share leaves the interface; with one, the opposite point joins it. The shape of the tetrahedron stays: other operations can take it apart then, or
- * it is a part of the exterior, where shape does not matter. */
+ * that they share leaves the interface; with one, the opposite point joins it. The shape of the tetrahedron stays:
+ * other operations can take it apart then, or it is a part of the exterior, where shape does not matter. */
 class SideChanger
 {
 public:

@@ -30,7 +30,8 @@ class tetgenmesh;
 #endif
 
 /** What TetGen 1.5 calls when it gives up. Its own frees the mesh and throws, whereupon the mesh's destructor frees it
- * again, and the program crashes. This one, which the dynamic linker finds first, leaves the memory to the destructor. */
+ * again, and the program crashes. This one, which the dynamic linker finds first, leaves the memory to the destructor.
+ */
 MMM_TETGEN_TERMINATION_EXPORT void
 terminatetetgen(tetgenmesh *, int code);
 
@@ -46,7 +47,8 @@ thread_local bool inTetGen = false;
 }
 
 #ifdef __GLIBC__
-/** Debian's TetGen is built with assertions, some of which fail on valid input. Within TetGen they become exceptions. */
+/** Debian's TetGen is built with assertions, some of which fail on valid input. Within TetGen they become exceptions.
+ */
 extern "C" MMM_TETGEN_TERMINATION_EXPORT void
 __assert_fail(const char * assertion, const char * file, unsigned int line, const char * function)
 {
@@ -59,12 +61,6 @@ __assert_fail(const char * assertion, const char * file, unsigned int line, cons
 }
 #endif
 
-mmm::TetGenGuard::TetGenGuard()
-{
-  inTetGen = true;
-}
+mmm::TetGenGuard::TetGenGuard() { inTetGen = true; }
 
-mmm::TetGenGuard::~TetGenGuard()
-{
-  inTetGen = false;
-}
+mmm::TetGenGuard::~TetGenGuard() { inTetGen = false; }

@@ -29,7 +29,7 @@ using mmmtest::SpherePoints;
 
 namespace
 {
-const Vector Centre(15.13, 14.79, 15.37);
+const Vector     Centre(15.13, 14.79, 15.37);
 constexpr double Radius = 10.3;
 
 /** Materials 0, 1 and 2 meet in a straight line along z, at 120 degrees. */
@@ -46,9 +46,8 @@ MakeThreeSectors()
 TEST(BoxDistance, IsExactForAnisotropicVoxels)
 {
   const Vector spacing(1.0, 2.0, 1.5);
-  const auto   image = MakeMaterials({ { 9, 9, 9 } }, spacing, 2, [&](const Vector & x) {
-    return (x - Vector(4.0, 8.0, 6.0)).norm() < 1e-6 ? 1 : 0;
-  });
+  const auto   image = MakeMaterials(
+    { { 9, 9, 9 } }, spacing, 2, [&](const Vector & x) { return (x - Vector(4.0, 8.0, 6.0)).norm() < 1e-6 ? 1 : 0; });
   mmm::LevelSet distance({ { 0, 0, 0 } }, { { 9, 9, 9 } }, spacing, 3.0);
   mmm::ComputeBoxDistance(image, 1, distance);
   // the one voxel's box is 1 x 2 x 1.5 wide; its nearest face is half a voxel away along x
@@ -106,7 +105,8 @@ TEST(SmoothIndicator, KeepsASheetOfOneVoxel)
 
 TEST(SmoothIndicator, RadiusZeroKeepsTheVoxelFaces)
 {
-  const Scene scene(MakeMaterials({ { 12, 12, 12 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] > 5.2; }), 0.0);
+  const Scene scene(MakeMaterials({ { 12, 12, 12 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] > 5.2; }),
+                    0.0);
   Vector      x(5.0, 6.0, 6.0);
   ASSERT_TRUE(scene.indicators->Project(Cell{ 0, 1 }, x, 2.0));
   EXPECT_NEAR(x[0], 5.5, 1e-3);

@@ -42,8 +42,7 @@ ExpectValidOrException(const Scene & scene, int exterior)
   try
   {
     const auto sizes = mmm::ComputeSizing(*scene.indicators, exterior, {}, {}, monitor);
-    mmm::BuildMesh(
-      *scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), parameters, monitor, result);
+    mmm::BuildMesh(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), parameters, monitor, result);
   }
   catch (const itk::ExceptionObject & error)
   {
@@ -69,15 +68,21 @@ class RandomImages : public ::testing::TestWithParam<int>
 
 TEST_P(RandomImages, NoiseGivesAValidMeshOrAnException)
 {
-  const auto      seed = std::uint64_t(GetParam());
-  const mmm::Index size{ { 3 + int(mmm::Hash(seed) % 9), 3 + int(mmm::Hash(seed + 100) % 9), 3 + int(mmm::Hash(seed + 200) % 9) } };
-  const int       materials = 2 + int(mmm::Hash(seed + 300) % 4);
-  const Vector    spacing(1.0, 1.0, seed % 3 == 0 ? 4.0 : 1.0);
-  ExpectValidOrException(Scene(MakeMaterials(size, spacing, materials, [&](const Vector & x) {
-                           const auto at = std::uint64_t(x[0] + 0.5) + 100 * std::uint64_t(x[1] + 0.5) +
-                                           10000 * std::uint64_t(x[2] + 0.5);
-                           return int(mmm::Hash(seed ^ mmm::Hash(at)) % materials);
-                         })),
+  const auto       seed = std::uint64_t(GetParam());
+  const mmm::Index size{
+    { 3 + int(mmm::Hash(seed) % 9), 3 + int(mmm::Hash(seed + 100) % 9), 3 + int(mmm::Hash(seed + 200) % 9) }
+  };
+  const int    materials = 2 + int(mmm::Hash(seed + 300) % 4);
+  const Vector spacing(1.0, 1.0, seed % 3 == 0 ? 4.0 : 1.0);
+  ExpectValidOrException(Scene(MakeMaterials(size,
+                                             spacing,
+                                             materials,
+                                             [&](const Vector & x) {
+                                               const auto at = std::uint64_t(x[0] + 0.5) +
+                                                               100 * std::uint64_t(x[1] + 0.5) +
+                                                               10000 * std::uint64_t(x[2] + 0.5);
+                                               return int(mmm::Hash(seed ^ mmm::Hash(at)) % materials);
+                                             })),
                          seed % 2 ? 0 : -1);
 }
 
@@ -90,7 +95,8 @@ TEST_P(Slabs, OfAnySizeAreMeshed)
 {
   const int n = GetParam();
   ExpectValidOrException(
-    Scene(MakeMaterials({ { n, n, n } }, Vector::Ones(), 3, [n](const Vector & x) { return x[0] < n / 2 ? 1 : 2; })), 0);
+    Scene(MakeMaterials({ { n, n, n } }, Vector::Ones(), 3, [n](const Vector & x) { return x[0] < n / 2 ? 1 : 2; })),
+    0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Slabs, ::testing::Range(4, 17));

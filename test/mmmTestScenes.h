@@ -24,7 +24,8 @@
 
 #include <memory>
 
-/** Small scenes in the terms of the geometry core: materials by a function of position, and what is computed of them. */
+/** Small scenes in the terms of the geometry core: materials by a function of position, and what is computed of them.
+ */
 namespace mmmtest
 {
 template <typename TFunction>
@@ -53,8 +54,8 @@ struct Scene
   explicit Scene(mmm::MaterialImage materials, double radius = 0.5)
     : image(std::move(materials))
   {
-    const auto                                    boxes = mmm::ComputeMaterialBoxes(image);
-    std::vector<mmm::BlockView<const float>>      views;
+    const auto                               boxes = mmm::ComputeMaterialBoxes(image);
+    std::vector<mmm::BlockView<const float>> views;
     for (std::size_t m = 0; m < boxes.size(); ++m)
     {
       blocks.push_back(mmm::ComputeSmoothIndicator(image, mmm::Material(m), boxes[m], radius));

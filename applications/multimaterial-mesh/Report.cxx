@@ -115,6 +115,7 @@ CountSection(const Outcome & outcome)
   section["particles_in_the_interior"] = report.particles[3];
   section["unused_particles"] = report.unusedParticles;
   section["steiner_points"] = report.steinerPoints;
+  section["facet_recovery_failed"] = report.recoveryFailed;
   section["inconsistent_triangles"] = report.inconsistentTriangles;
   section["surface_points"] = outcome.surface->GetNumberOfPoints();
   section["triangles"] = outcome.surface->GetNumberOfCells();

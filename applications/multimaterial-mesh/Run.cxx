@@ -107,8 +107,13 @@ CheckPrefixes(const Settings & settings)
     }
     const auto stem = forZero.substr(0, forZero.rfind("0."));
     const auto suffix = forZero.substr(stem.size() + 1);
-    for (const auto & other : { settings.labels, settings.sizingImage, settings.output, settings.surface,
-                                settings.particles, settings.report, settings.sizingFile })
+    for (const auto & other : { settings.labels,
+                                settings.sizingImage,
+                                settings.output,
+                                settings.surface,
+                                settings.particles,
+                                settings.report,
+                                settings.sizingFile })
     {
       if (IsNameForLabel(other, stem, suffix))
       {
