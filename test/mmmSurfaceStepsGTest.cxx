@@ -1,0 +1,177 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmConformingDelaunay.h"
+#include "mmmInterfaceMesh.h"
+#include "mmmLostNodes.h"
+#include "mmmParticleMerging.h"
+#include "mmmTestScenes.h"
+#include "mmmTetGen.h"
+
+#include "itkMacro.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using mmm::Cell;
+using mmm::Vector;
+using mmmtest::MakeMaterials;
+using mmmtest::Scene;
+
+namespace
+{
+/** The corners of a box. */
+std::vector<Vector>
+BoxPoints(double size)
+{
+  std::vector<Vector> points;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    points.push_back(size * Vector(corner & 1, (corner >> 1) & 1, corner >> 2));
+  }
+  return points;
+}
+
+/** Four materials in the quarters of the xy plane. */
+Scene
+MakeQuarters()
+{
+  return Scene(MakeMaterials(
+    { { 12, 12, 6 } }, Vector::Ones(), 4, [](const Vector & x) { return (x[0] > 5.5) + 2 * (x[1] > 5.5); }));
+}
+} // namespace
+
+TEST(LostNodes, AreThoseOfAThreadThatTheTetrahedraMiss)
+{
+  const Scene          scene(MakeMaterials(
+    { { 11, 11, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] == 5.0 && x[1] == 4.0 ? 1 : 0; }));
+  const auto           points = BoxPoints(10.2);
+  mmm::TetrahedralMesh mesh;
+  mesh.tetrahedra = mmm::DelaunayTetrahedralization(points);
+  mesh.materials.assign(mesh.tetrahedra.size(), 0);
+  const auto lost = mmm::FindLostNodes(*scene.indicators, points, mesh, 0);
+  ASSERT_FALSE(lost.empty());
+  for (const auto n : lost)
+  {
+    EXPECT_EQ(scene.image.materials[n], 1);
+  }
+  EXPECT_TRUE(std::is_sorted(lost.begin(), lost.end()));
+}
+
+TEST(LostNodes, AreNoneWhereTheInterfaceIsALittleOff)
+{
+  // the interface of a slab, a voxel too low: nodes beside it are wrong, but have right neighbors
+  const Scene scene(
+    MakeMaterials({ { 11, 11, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[2] > 4.5 ? 1 : 0; }));
+  auto points = BoxPoints(10.2);
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    points.push_back(Vector(points[corner][0], points[corner][1], 3.7));
+  }
+  mmm::TetrahedralMesh mesh;
+  mesh.tetrahedra = mmm::DelaunayTetrahedralization(points);
+  for (const auto & t : mesh.tetrahedra)
+  {
+    const double middle = 0.25 * (points[t[0]][2] + points[t[1]][2] + points[t[2]][2] + points[t[3]][2]);
+    mesh.materials.push_back(middle > 3.7 ? 1 : 0);
+  }
+  EXPECT_TRUE(mmm::FindLostNodes(*scene.indicators, points, mesh, 0).empty());
+}
+
+TEST(ParticleMerging, JoinsCloseJunctionsToOnePointOfAllTheirMaterials)
+{
+  const Scene              scene = MakeQuarters();
+  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 1.0f);
+  mmm::ParticleSet         particles;
+  particles.cellTable = { Cell{ 0, 1, 2 }, Cell{ 1, 2, 3 } };
+  particles.positions = { Vector(5.45, 5.5, 2.0), Vector(5.55, 5.5, 2.0) };
+  particles.cells = { 0, 1 };
+  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
+            1u);
+  ASSERT_EQ(particles.Size(), 1u);
+  EXPECT_EQ(particles.CellOf(0), (Cell{ 0, 1, 2, 3 }));
+}
+
+TEST(ParticleMerging, KeepsTheTwoSidesOfAThinLayerApart)
+{
+  const Scene              scene = MakeQuarters();
+  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 3.0f);
+  mmm::ParticleSet         particles;
+  particles.cellTable = { Cell{ 0, 1 }, Cell{ 0, 2 } };
+  particles.positions = { Vector(5.5, 2.0, 2.0), Vector(5.1, 2.0, 2.0) };
+  particles.cells = { 0, 1 };
+  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
+            0u);
+}
+
+TEST(Cells, JoinUpToTheirCapacity)
+{
+  Cell cell{ 1, 2, 3, 4, 5, 6 };
+  EXPECT_TRUE(cell.Join(Cell{ 2, 7, 8 }));
+  EXPECT_EQ(cell, (Cell{ 1, 2, 3, 4, 5, 6, 7, 8 }));
+  EXPECT_EQ(cell.Dimension(), 0);
+  EXPECT_FALSE(cell.Join(Cell{ 0, 1 }));
+  EXPECT_EQ(cell.count, 8);
+}
+
+TEST(InterfaceMesh, TellsTheMaterialsOnItsTwoSides)
+{
+  const auto           points = BoxPoints(1.0);
+  mmm::TetrahedralMesh mesh;
+  mesh.tetrahedra = mmm::DelaunayTetrahedralization(points);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+  {
+    mesh.materials.push_back(mmm::Material(t % 3));
+  }
+  const auto interfaces = mmm::ExtractInterfaces(mesh, 2);
+  // material 2 is the outside: what touches no interface is outside, too
+  EXPECT_EQ(mmm::LabelByInterfaces(interfaces, mesh.tetrahedra, 2), mesh.materials);
+}
+
+TEST(ConformingTetrahedralization, LeavesPointsOutThatAreInTheWayOfTriangles)
+{
+  // a point just above the middle of a triangle, and one just below it
+  auto                             points = BoxPoints(4.0);
+  const auto                       tetrahedra = mmm::DelaunayTetrahedralization(points);
+  const std::vector<mmm::Triangle> triangles{ { { tetrahedra[0][0], tetrahedra[0][1], tetrahedra[0][2] } } };
+  const Vector                     a = points[triangles[0][0]];
+  const Vector                     b = points[triangles[0][1]];
+  const Vector                     c = points[triangles[0][2]];
+  const Vector                     normal = (b - a).cross(c - a).normalized();
+  points.push_back((a + b + c) / 3.0 + 0.05 * normal);
+  points.push_back((a + b + c) / 3.0 - 0.05 * normal);
+  std::vector<mmm::Tetrahedron> conforming;
+  ASSERT_TRUE(mmm::ConformingTetrahedralization(points, 8, triangles, conforming));
+  bool found = false;
+  for (const auto & t : conforming)
+  {
+    int corners = 0;
+    for (const auto corner : triangles[0])
+    {
+      corners += std::count(t.begin(), t.end(), corner);
+    }
+    found = found || corners == 3;
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(DelaunayTetrahedralization, RefusesPointsInOnePlane)
+{
+  const std::vector<Vector> points{ { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 }, { 1, 1, 1 }, { 2, 3, 1 } };
+  EXPECT_THROW(mmm::DelaunayTetrahedralization(points), itk::ExceptionObject);
+}
