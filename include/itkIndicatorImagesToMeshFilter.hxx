@@ -209,16 +209,16 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
                              m_StageLog,
-                             { { "preparation", 0.02 },
-                               { "seeding of particles", 0.05 },
-                               { "relaxation of 1-cells", 0.03 },
-                               { "relaxation of 2-cells", 0.35 },
-                               { "surface", 0.1 },
-                               { "seeding of the interior", 0.03 },
-                               { "relaxation of the interior", 0.2 },
-                               { "constrained tetrahedralization", 0.1 },
-                               { "optimization", 0.1 },
-                               { "output", 0.02 } });
+                             { { "preparation", 0.01 },
+                               { "seeding of particles", 0.02 },
+                               { "relaxation of 1-cells", 0.01 },
+                               { "relaxation of 2-cells", 0.13 },
+                               { "surface", 0.22 },
+                               { "seeding of the interior", 0.02 },
+                               { "relaxation of the interior", 0.09 },
+                               { "constrained tetrahedralization", 0.08 },
+                               { "optimization", 0.41 },
+                               { "output", 0.01 } });
   m_Report = mmm::MeshingReport();
   monitor.BeginStage("preparation");
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());

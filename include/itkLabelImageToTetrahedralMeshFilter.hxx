@@ -198,19 +198,19 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
                              m_StageLog,
-                             { { "merging of islands", 0.03 },
-                               { "indicators", 0.15 },
-                               { "sizing", 0.1 },
+                             { { "merging of islands", 0.01 },
+                               { "indicators", 0.07 },
+                               { "sizing", 0.05 },
                                { "preparation", 0.01 },
-                               { "seeding of particles", 0.04 },
-                               { "relaxation of 1-cells", 0.02 },
-                               { "relaxation of 2-cells", 0.25 },
-                               { "surface", 0.1 },
-                               { "seeding of the interior", 0.02 },
-                               { "relaxation of the interior", 0.15 },
-                               { "constrained tetrahedralization", 0.06 },
-                               { "optimization", 0.05 },
-                               { "output", 0.02 } });
+                               { "seeding of particles", 0.02 },
+                               { "relaxation of 1-cells", 0.01 },
+                               { "relaxation of 2-cells", 0.11 },
+                               { "surface", 0.19 },
+                               { "seeding of the interior", 0.01 },
+                               { "relaxation of the interior", 0.08 },
+                               { "constrained tetrahedralization", 0.07 },
+                               { "optimization", 0.36 },
+                               { "output", 0.01 } });
   m_Labels.clear();
   m_AbsentExteriorLabels.clear();
   m_IslandRecords.clear();
@@ -333,6 +333,7 @@ void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::Observe(ProcessObject *      filter,
                                                                      mmm::FilterMonitor & monitor)
 {
+  filter->SetNumberOfWorkUnits(this->GetNumberOfWorkUnits());
   filter->AddObserver(ProgressEvent(), [this, filter, &monitor](const EventObject &) {
     monitor.Update(filter->GetProgress());
     if (this->GetAbortGenerateData())

@@ -20,6 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmMonitor.h"
+#include "mmmParallel.h"
 #include "mmmStageRecord.h"
 
 #include "itkProcessObject.h"
@@ -47,7 +48,7 @@ struct StageLog
 };
 
 /** \brief Makes the core's progress that of a filter, keeps a log of the stages, and ends the work if the filter is
- * told to abort, by throwing itk::ProcessAborted.
+ * told to abort, by throwing itk::ProcessAborted. Parallel work that goes on meanwhile runs on the filter's threads.
  *
  * A stage that is not in the plan has no share of the progress. The last stage ends with the monitor. */
 class MultiMaterialMeshing_EXPORT FilterMonitor : public Monitor
@@ -77,6 +78,7 @@ private:
   EndStage();
 
   itk::ProcessObject *      m_Filter;
+  ThreaderScope             m_Threads;
   StageLog &                m_Log;
   std::vector<PlannedStage> m_Plan;
   double                    m_Start{ 0.0 };

@@ -23,11 +23,34 @@
 #include <cstddef>
 #include <functional>
 
+namespace itk
+{
+class ProcessObject;
+class MultiThreaderBase;
+} // namespace itk
+
 namespace mmm
 {
+/** While it lives, parallel work that this thread starts runs on the threads of a filter: its multi-threader and its
+ * number of work units. */
+class MultiMaterialMeshing_EXPORT ThreaderScope
+{
+public:
+  explicit ThreaderScope(const itk::ProcessObject * filter);
+  ~ThreaderScope();
+
+  ThreaderScope(const ThreaderScope &) = delete;
+  ThreaderScope &
+  operator=(const ThreaderScope &) = delete;
+
+private:
+  itk::MultiThreaderBase * m_Previous;
+};
+
 /** Calls body(begin, end) for consecutive ranges of at most `grain` indices that cover [0, count), on the threads of
- * itk::MultiThreaderBase. The ranges do not depend on the number of threads: a body that writes only to slots of its
- * own range gives the same result for any number of them. The first exception of a body is rethrown. */
+ * the filter in whose ThreaderScope this is, or else of a new itk::MultiThreaderBase. The ranges do not depend on the
+ * number of threads: a body that writes only to slots of its own range gives the same result for any number of them.
+ * The exception of the lowest range that has one is rethrown. */
 MultiMaterialMeshing_EXPORT void
 ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)> & body);
 } // namespace mmm

@@ -25,6 +25,7 @@ namespace mmm
 {
 FilterMonitor::FilterMonitor(itk::ProcessObject * filter, StageLog & log, std::vector<PlannedStage> plan)
   : m_Filter(filter)
+  , m_Threads(filter)
   , m_Log(log)
   , m_Plan(std::move(plan))
 {

@@ -18,6 +18,7 @@
 #include "mmmParallel.h"
 
 #include "itkMultiThreaderBase.h"
+#include "itkProcessObject.h"
 
 #include <algorithm>
 #include <exception>
@@ -25,6 +26,20 @@
 
 namespace mmm
 {
+namespace
+{
+thread_local itk::MultiThreaderBase * currentThreader = nullptr;
+}
+
+ThreaderScope::ThreaderScope(const itk::ProcessObject * filter)
+  : m_Previous(currentThreader)
+{
+  currentThreader = filter->GetMultiThreader();
+  currentThreader->SetNumberOfWorkUnits(filter->GetNumberOfWorkUnits());
+}
+
+ThreaderScope::~ThreaderScope() { currentThreader = m_Previous; }
+
 void
 ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)> & body)
 {
@@ -37,10 +52,11 @@ ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::
     }
     return;
   }
-  std::exception_ptr  failure;
-  itk::SizeValueType  failedRange = ranges;
-  std::mutex          mutex;
-  const auto         threader = itk::MultiThreaderBase::New();
+  std::exception_ptr                    failure;
+  itk::SizeValueType                    failedRange = ranges;
+  std::mutex                            mutex;
+  const itk::MultiThreaderBase::Pointer threader =
+    currentThreader ? currentThreader : itk::MultiThreaderBase::New().GetPointer();
   threader->ParallelizeArray(
     0,
     ranges,
