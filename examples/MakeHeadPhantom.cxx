@@ -48,7 +48,7 @@ Parse(const char * text)
 int
 main(int argc, char * argv[])
 {
-  if (argc != 2 && argc != 3 && argc != 6)
+  if ((argc != 2 && argc != 3 && argc != 6) || argv[1][0] == '-')
   {
     std::cerr << "usage: " << argv[0] << " OUTPUT.nrrd [SPACING-MM [SIZE-X SIZE-Y SIZE-Z]]\n"
               << "Writes a synthetic six-tissue head. Without a size, the image covers 181 x 217 x 181 mm.\n";
