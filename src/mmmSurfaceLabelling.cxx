@@ -52,7 +52,7 @@ LabelTetrahedra(const IndicatorSet &             indicators,
     for (std::size_t t = begin; t < end; ++t)
     {
       const auto & corners = tetrahedra[t];
-      Material     candidates[4] = { 0, 0, 0, 0 };
+      Material     candidates[Cell::Capacity] = {};
       int          count = 0;
       for (const Material m : particles.CellOf(corners[0]))
       {

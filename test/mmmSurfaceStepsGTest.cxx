@@ -19,6 +19,7 @@
 #include "mmmInterfaceMesh.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
+#include "mmmSurfaceLabelling.h"
 #include "mmmTestScenes.h"
 #include "mmmTetGen.h"
 
@@ -127,6 +128,19 @@ TEST(Cells, JoinUpToTheirCapacity)
   EXPECT_EQ(cell.Dimension(), 0);
   EXPECT_FALSE(cell.Join(Cell{ 0, 1 }));
   EXPECT_EQ(cell.count, 8);
+}
+
+TEST(LabelTetrahedra, CopesWithJunctionsOfAsManyMaterialsAsACellHolds)
+{
+  const Scene      scene(MakeMaterials({ { 8, 8, 8 } }, Vector::Ones(), 8, [](const Vector & x) {
+    return (x[0] > 3.5) + 2 * (x[1] > 3.5) + 4 * (x[2] > 3.5);
+  }));
+  mmm::ParticleSet particles;
+  particles.cellTable = { Cell{ 0, 1, 2, 3, 4, 5, 6, 7 } };
+  particles.positions = { Vector(1, 1, 1), Vector(2, 1, 1), Vector(1, 2, 1), Vector(1, 1, 2) };
+  particles.cells = { 0, 0, 0, 0 };
+  const std::vector<mmm::Tetrahedron> tetrahedra{ { { 0, 1, 2, 3 } } };
+  EXPECT_EQ(mmm::LabelTetrahedra(*scene.indicators, particles, tetrahedra, 9), std::vector<mmm::Material>{ 0 });
 }
 
 TEST(InterfaceMesh, TellsTheMaterialsOnItsTwoSides)
