@@ -46,6 +46,24 @@ struct ParticleSet
   {
     return cellTable[cells[particle]];
   }
+  /** Drops the particles that are not marked; those beyond the end of `marks` stay. Returns how many are gone. */
+  std::size_t
+  Keep(const std::vector<char> & marks)
+  {
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < this->Size(); ++p)
+    {
+      if (p >= marks.size() || marks[p])
+      {
+        positions[kept] = positions[p];
+        cells[kept++] = cells[p];
+      }
+    }
+    const std::size_t gone = this->Size() - kept;
+    positions.resize(kept);
+    cells.resize(kept);
+    return gone;
+  }
 };
 
 struct RelaxationParameters

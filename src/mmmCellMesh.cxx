@@ -95,6 +95,17 @@ CheckCorners(const CellMesh & mesh)
   }
 }
 
+std::vector<std::size_t>
+CornerBegins(const CellMesh & mesh)
+{
+  std::vector<std::size_t> begins(mesh.shapes.size());
+  for (std::size_t i = 0, begin = 0; i < begins.size(); begin += mesh.ShapeOf(i).corners, ++i)
+  {
+    begins[i] = begin;
+  }
+  return begins;
+}
+
 void
 SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys)
 {
@@ -105,11 +116,7 @@ SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys)
   std::vector<std::size_t> order(keys.size());
   std::iota(order.begin(), order.end(), std::size_t{ 0 });
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
-  std::vector<std::size_t> begins(keys.size());
-  for (std::size_t i = 0, begin = 0; i < keys.size(); begin += mesh.ShapeOf(i).corners, ++i)
-  {
-    begins[i] = begin;
-  }
+  const auto     begins = CornerBegins(mesh);
   const CellMesh unsorted = mesh;
   auto           corner = mesh.corners.begin();
   for (std::size_t i = 0; i < order.size(); ++i)

@@ -99,6 +99,10 @@ struct CellMesh
 void
 CheckCorners(const CellMesh & mesh);
 
+/** Where the corners of each cell begin. */
+std::vector<std::size_t>
+CornerBegins(const CellMesh & mesh);
+
 /** Orders the cells by `keys`, one per cell; those with equal keys stay as they are. */
 void
 SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys);

@@ -18,6 +18,7 @@
 #include "mmmConformingDelaunay.h"
 
 #include "mmmTetGen.h"
+#include "mmmTriangleLookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,56 +30,29 @@ namespace
 {
 constexpr int Rounds = 10;
 
-Triangle
-Sorted(Triangle triangle)
-{
-  std::sort(triangle.begin(), triangle.end());
-  return triangle;
-}
-
 /** The triangles that are no faces of the tetrahedra. */
 std::vector<Triangle>
 FindMissing(const std::vector<Triangle> & triangles, const std::vector<Tetrahedron> & tetrahedra)
 {
-  // wanted triangles by their smallest point, with a mark for those that are found
-  PointId points = 0;
-  for (const auto & t : triangles)
-  {
-    points = std::max(points, *std::max_element(t.begin(), t.end()) + 1);
-  }
-  std::vector<std::uint32_t> start(points + 1, 0);
-  std::vector<Triangle>      sorted(triangles.size());
-  std::transform(triangles.begin(), triangles.end(), sorted.begin(), Sorted);
-  for (const auto & t : sorted)
-  {
-    ++start[t[0] + 1];
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<char> found(sorted.size(), 0);
+  const TriangleLookup lookup(triangles);
+  std::vector<char>    found(triangles.size(), 0);
   for (const auto & corners : tetrahedra)
   {
-    for (const auto & face : TetrahedronFaces)
+    for (int f = 0; f < 4; ++f)
     {
-      const Triangle t = Sorted({ { corners[face[0]], corners[face[1]], corners[face[2]] } });
-      if (t[2] < points)
+      const auto t = lookup.Find(FaceOf(corners, f));
+      if (t != TriangleLookup::None)
       {
-        const auto first = sorted.begin() + start[t[0]];
-        const auto last = sorted.begin() + start[t[0] + 1];
-        const auto twin = std::find(first, last, t);
-        if (twin != last)
-        {
-          found[twin - sorted.begin()] = 1;
-        }
+        found[t] = 1;
       }
     }
   }
   std::vector<Triangle> missing;
-  for (std::size_t t = 0; t < sorted.size(); ++t)
+  for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     if (!found[t])
     {
-      missing.push_back(sorted[t]);
+      missing.push_back(triangles[t]);
     }
   }
   return missing;

@@ -214,11 +214,7 @@ WriteElements(FileComposer &                   file,
 void
 WriteGmshSections4(FileComposer & file, const CellMesh & mesh)
 {
-  std::vector<std::size_t> begins(mesh.shapes.size());
-  for (std::size_t i = 0, begin = 0; i < mesh.shapes.size(); begin += mesh.ShapeOf(i).corners, ++i)
-  {
-    begins[i] = begin;
-  }
+  const auto     begins = CornerBegins(mesh);
   const Entities entities = FindEntities(mesh, begins);
   WriteEntities(file, entities);
   WriteNodes(file, mesh, entities);

@@ -18,13 +18,24 @@
 #include "mmmInterfaceMesh.h"
 
 #include "mmmTetrahedronNeighbours.h"
+#include "mmmTriangleLookup.h"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace mmm
 {
+namespace
+{
+/** Whether two triangles with the same corners have the same orientation. */
+bool
+AreOneTurn(const Triangle & a, const Triangle & b)
+{
+  const auto first = std::find(b.begin(), b.end(), a[0]) - b.begin();
+  return b[(first + 1) % 3] == a[1];
+}
+} // namespace
+
 InterfaceMesh
 ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
 {
@@ -42,11 +53,7 @@ ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
       {
         continue;
       }
-      Triangle corners;
-      for (int c = 0; c < 3; ++c)
-      {
-        corners[c] = mesh.tetrahedra[t][TetrahedronFaces[f][c]];
-      }
+      Triangle corners = FaceOf(mesh.tetrahedra[t], f);
       if (own > beyond)
       {
         std::swap(corners[1], corners[2]);
@@ -62,27 +69,8 @@ LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedro
 {
   constexpr Material Unknown = std::numeric_limits<Material>::max();
 
-  // the triangles by their smallest point
-  PointId points = 0;
-  for (const auto & triangle : interfaces.triangles)
-  {
-    points = std::max(points, *std::max_element(triangle.begin(), triangle.end()) + 1);
-  }
-  const auto                 smallest = [](const Triangle & t) { return *std::min_element(t.begin(), t.end()); };
-  std::vector<std::uint32_t> start(points + 1, 0);
-  for (const auto & triangle : interfaces.triangles)
-  {
-    ++start[smallest(triangle) + 1];
-  }
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<std::uint32_t> bySmallest(interfaces.triangles.size());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t t = 0; t < interfaces.triangles.size(); ++t)
-  {
-    bySmallest[next[smallest(interfaces.triangles[t])]++] = t;
-  }
-
   // what each face says of its tetrahedron
+  const TriangleLookup             lookup(interfaces.triangles);
   std::vector<Material>            materials(tetrahedra.size(), Unknown);
   std::vector<std::array<bool, 4>> closed(tetrahedra.size());
   std::vector<std::uint32_t>       stack;
@@ -90,30 +78,13 @@ LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedro
   {
     for (int f = 0; f < 4; ++f)
     {
-      Triangle face;
-      for (int c = 0; c < 3; ++c)
+      const Triangle face = FaceOf(tetrahedra[t], f);
+      const auto     found = lookup.Find(face);
+      closed[t][f] = found != TriangleLookup::None;
+      if (closed[t][f])
       {
-        face[c] = tetrahedra[t][TetrahedronFaces[f][c]];
-      }
-      std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-      closed[t][f] = false;
-      if (face[0] >= points)
-      {
-        continue;
-      }
-      for (auto n = start[face[0]]; n < start[face[0] + 1]; ++n)
-      {
-        Triangle triangle = interfaces.triangles[bySmallest[n]];
-        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-        const bool same = triangle[1] == face[1] && triangle[2] == face[2];
-        const bool opposite = triangle[1] == face[2] && triangle[2] == face[1];
-        if (same || opposite)
-        {
-          // a face points outward, a triangle to its second side
-          closed[t][f] = true;
-          materials[t] = interfaces.sides[bySmallest[n]][same ? 0 : 1];
-          break;
-        }
+        // a face points outward, a triangle to its second side
+        materials[t] = interfaces.sides[found][AreOneTurn(interfaces.triangles[found], face) ? 0 : 1];
       }
     }
     if (materials[t] != Unknown)

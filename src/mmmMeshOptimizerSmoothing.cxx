@@ -48,28 +48,8 @@ PointSmoother::PointSmoother(const IndicatorSet &             indicators,
   , m_Points(points)
   , m_Tetrahedra(tetrahedra)
   , m_Materials(materials)
+  , m_Star(points.size(), tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return tetrahedra[t]; })
 {
-  m_StarStart.assign(points.size() + 1, 0);
-  for (const auto & t : tetrahedra)
-  {
-    for (const auto corner : t)
-    {
-      ++m_StarStart[corner + 1];
-    }
-  }
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    m_StarStart[p + 1] += m_StarStart[p];
-  }
-  m_Star.resize(m_StarStart.back());
-  std::vector<std::uint32_t> next(m_StarStart.begin(), m_StarStart.end() - 1);
-  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
-  {
-    for (const auto corner : tetrahedra[t])
-    {
-      m_Star[next[corner]++] = t;
-    }
-  }
   this->ClassifyPoints();
   this->ColourPoints();
 }
@@ -78,9 +58,9 @@ void
 PointSmoother::ClassifyPoints()
 {
   // the materials that really meet at each point, against those of its cell
-  const auto                                           neighbours = ComputeTetrahedronNeighbours(m_Tetrahedra);
+  const auto                                              neighbours = ComputeTetrahedronNeighbours(m_Tetrahedra);
   std::vector<std::pair<PointId, std::array<PointId, 2>>> fans;
-  std::vector<char>                                    outside(m_Points.size(), 0);
+  std::vector<char>                                       outside(m_Points.size(), 0);
   for (std::uint32_t t = 0; t < m_Tetrahedra.size(); ++t)
   {
     for (int f = 0; f < 4; ++f)
@@ -135,9 +115,9 @@ PointSmoother::ClassifyPoints()
     {
       present.push_back(m_Exterior);
     }
-    for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
     {
-      const Material m = m_Materials[m_Star[s]];
+      const Material m = m_Materials[*s];
       if (std::find(present.begin(), present.end(), m) == present.end())
       {
         present.push_back(m);
@@ -168,14 +148,14 @@ PointSmoother::ColourPoints()
   std::vector<char> taken;
   for (PointId p = 0; p < m_Points.size(); ++p)
   {
-    if (m_Freedom[p] == Freedom::Fixed || m_StarStart[p] == m_StarStart[p + 1])
+    if (m_Freedom[p] == Freedom::Fixed || m_Star.Begin(p) == m_Star.End(p))
     {
       continue;
     }
     taken.assign(m_Colours.size() + 1, 0);
-    for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
     {
-      for (const auto corner : m_Tetrahedra[m_Star[s]])
+      for (const auto corner : m_Tetrahedra[*s])
       {
         if (colour[corner] >= 0)
         {
@@ -230,16 +210,15 @@ double
 PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
 {
   double worst = 2.0;
-  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
-    const auto &   t = m_Tetrahedra[m_Star[s]];
+    const auto &   t = m_Tetrahedra[*s];
     const Vector * corners[4];
     for (int c = 0; c < 4; ++c)
     {
       corners[c] = t[c] == p ? &x : &m_Points[t[c]];
     }
-    worst = std::min(
-      worst, MaterialQuality(*corners[0], *corners[1], *corners[2], *corners[3], this->IsExterior(m_Star[s])));
+    worst = std::min(worst, MaterialQuality(*corners[0], *corners[1], *corners[2], *corners[3], this->IsExterior(*s)));
     if (worst <= enough)
     {
       return worst;
@@ -259,18 +238,21 @@ PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
   return worst;
 }
 
+bool
+PointSmoother::Admit(PointId p, Vector & x) const
+{
+  return m_Freedom[p] != Freedom::OnCell ||
+         (m_Indicators.Project(m_Cells[p], x, 1.0) && m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance));
+}
+
 /** Moves p to the target, or its projection, if all around gets better than `worst`, which is brought up to date. */
 bool
 PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
 {
   Vector x = target;
-  if (m_Freedom[p] == Freedom::OnCell)
+  if (!this->Admit(p, x))
   {
-    const Cell & cell = m_Cells[p];
-    if (!m_Indicators.Project(cell, x, 1.0) || !m_Indicators.IsMaximal(cell, x, MaximalityTolerance))
-    {
-      return false;
-    }
+    return false;
   }
   const double reached = this->WorstAround(p, x, worst);
   if (!(reached > worst))
@@ -313,13 +295,13 @@ double
 PointSmoother::TotalAround(PointId p, const Vector & x) const
 {
   double total = 0.0;
-  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
-    if (this->IsExterior(m_Star[s]))
+    if (this->IsExterior(*s))
     {
       continue;
     }
-    const auto &   t = m_Tetrahedra[m_Star[s]];
+    const auto &   t = m_Tetrahedra[*s];
     const Vector * corners[4];
     for (int c = 0; c < 4; ++c)
     {
@@ -339,9 +321,9 @@ bool
 PointSmoother::MoveUphillOnAverage(PointId p)
 {
   double shortest = 1e300;
-  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
-    for (const auto corner : m_Tetrahedra[m_Star[s]])
+    for (const auto corner : m_Tetrahedra[*s])
     {
       if (corner != p)
       {
@@ -381,12 +363,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);
-    if (m_Freedom[p] == Freedom::OnCell &&
-        (!m_Indicators.Project(m_Cells[p], x, 1.0) || !m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance)))
-    {
-      continue;
-    }
-    if (this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
+    if (this->Admit(p, x) && this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
     {
       m_Points[p] = x;
       return true;
@@ -402,17 +379,17 @@ PointSmoother::MoveUphill(PointId p, double quality)
   std::array<std::pair<double, std::uint32_t>, 3> poorest;
   constexpr double None = 2.0; // a point of an outer corner may have fewer than three tetrahedra
   poorest.fill({ None, 0 });
-  for (auto s = m_StarStart[p]; s < m_StarStart[p + 1]; ++s)
+  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
-    if (this->IsExterior(m_Star[s]))
+    if (this->IsExterior(*s))
     {
       continue;
     }
-    const auto & t = m_Tetrahedra[m_Star[s]];
+    const auto & t = m_Tetrahedra[*s];
     const double q = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
     if (q < poorest[2].first)
     {
-      poorest[2] = { q, m_Star[s] };
+      poorest[2] = { q, *s };
       std::sort(poorest.begin(), poorest.end());
     }
   }

@@ -18,6 +18,7 @@
 #ifndef mmmMeshOptimizerSmoothing_h
 #define mmmMeshOptimizerSmoothing_h
 
+#include "mmmIncidence.h"
 #include "mmmIndicatorSet.h"
 #include "mmmTetrahedralMesh.h"
 
@@ -108,6 +109,9 @@ private:
   MoveUphill(PointId p, double quality);
   double
   WorstAround(PointId p, const Vector & x, double enough) const;
+  /** Brings a place for p back to its cell, if p is on one; false where there is none nearby. */
+  bool
+  Admit(PointId p, Vector & x) const;
   bool
   TryMove(PointId p, const Vector & target, double & worst);
   double
@@ -115,15 +119,15 @@ private:
   double
   WorstTriangleAround(PointId p, const Vector & x) const;
 
-  const IndicatorSet &                m_Indicators;
-  const Material                      m_Exterior;
-  const std::vector<Cell> &           m_Cells;
-  std::vector<Vector> &               m_Points;
-  const std::vector<Tetrahedron> &    m_Tetrahedra;
-  const std::vector<Material> &       m_Materials;
-  std::vector<Freedom>                m_Freedom;
-  std::vector<std::uint32_t>          m_StarStart;
-  std::vector<std::uint32_t>          m_Star;
+  const IndicatorSet &             m_Indicators;
+  const Material                   m_Exterior;
+  const std::vector<Cell> &        m_Cells;
+  std::vector<Vector> &            m_Points;
+  const std::vector<Tetrahedron> & m_Tetrahedra;
+  const std::vector<Material> &    m_Materials;
+  std::vector<Freedom>             m_Freedom;
+  /** The tetrahedra at each point. */
+  Incidence                           m_Star;
   std::vector<std::uint32_t>          m_FanStart;
   std::vector<std::array<PointId, 2>> m_Fan;
   std::vector<std::vector<PointId>>   m_Colours;

@@ -85,17 +85,6 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       }
     }
   }
-  std::size_t last = 0;
-  for (std::size_t p = 0; p < count; ++p)
-  {
-    if (kept[p])
-    {
-      particles.positions[last] = particles.positions[p];
-      particles.cells[last++] = particles.cells[p];
-    }
-  }
-  particles.positions.resize(last);
-  particles.cells.resize(last);
-  return count - last;
+  return particles.Keep(kept);
 }
 } // namespace mmm

@@ -351,7 +351,7 @@ private:
     }
     const std::size_t   count = m_Particles.Size();
     std::vector<float>  energy(count, 0.0f);
-    std::vector<char>   removed(count, 0);
+    std::vector<char>   kept(count, 1);
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {
@@ -370,9 +370,9 @@ private:
       {
         bool worst = true;
         this->VisitPairs(p, [&](std::uint32_t q, const Vector &, double, double) {
-          worst = worst && !removed[q] && (energy[q] < energy[p] || (energy[q] == energy[p] && q > p));
+          worst = worst && kept[q] && (energy[q] < energy[p] || (energy[q] == energy[p] && q > p));
         });
-        removed[p] = worst;
+        kept[p] = !worst;
         report.removed += worst;
       }
       else if (energy[p] < LonelyEnergy)
@@ -389,18 +389,7 @@ private:
         }
       }
     }
-    std::size_t kept = 0;
-    for (std::size_t p = 0; p < count; ++p)
-    {
-      if (!removed[p])
-      {
-        m_Particles.positions[kept] = m_Particles.positions[p];
-        m_Particles.cells[kept] = m_Particles.cells[p];
-        ++kept;
-      }
-    }
-    m_Particles.positions.resize(kept);
-    m_Particles.cells.resize(kept);
+    m_Particles.Keep(kept);
     m_Particles.positions.insert(m_Particles.positions.end(), splitPositions.begin(), splitPositions.end());
     m_Particles.cells.insert(m_Particles.cells.end(), splitCells.begin(), splitCells.end());
     report.added += splitPositions.size();
@@ -480,18 +469,7 @@ private:
         valid[p] = !this->IsActive(p) || this->Admit(p, m_Particles.positions[p]);
       }
     });
-    std::size_t kept = 0;
-    for (std::size_t p = 0; p < count; ++p)
-    {
-      if (valid[p])
-      {
-        m_Particles.positions[kept] = m_Particles.positions[p];
-        m_Particles.cells[kept++] = m_Particles.cells[p];
-      }
-    }
-    report.removed += count - kept;
-    m_Particles.positions.resize(kept);
-    m_Particles.cells.resize(kept);
+    report.removed += m_Particles.Keep(valid);
   }
 
   const IndicatorSet &         m_Indicators;

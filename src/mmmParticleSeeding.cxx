@@ -137,17 +137,18 @@ private:
   const int            m_Exterior;
 };
 
-/** Seeds from the cubes with these lowest nodes, in their order. */
+/** Seeds from `count` cubes in their order; cubeAt(n) is the lowest node of one. */
+template <typename TCubeAt>
 std::vector<Seed>
-CollectSeeds(const IndicatorSet & indicators, int exterior, const std::vector<Index> & cubes)
+CollectSeeds(const IndicatorSet & indicators, int exterior, std::size_t count, const TCubeAt & cubeAt)
 {
   constexpr std::size_t          Grain = 256;
   const CubeSeeder               seeder(indicators, exterior);
-  std::vector<std::vector<Seed>> parts((cubes.size() + Grain - 1) / Grain);
-  ParallelFor(cubes.size(), Grain, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Seed>> parts((count + Grain - 1) / Grain);
+  ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
     {
-      seeder.SeedCube(cubes[c], parts[begin / Grain]);
+      seeder.SeedCube(cubeAt(c), parts[begin / Grain]);
     }
   });
   std::vector<Seed> seeds;
@@ -228,21 +229,18 @@ AddThinned(const IndicatorSet & indicators,
 ParticleSet
 SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
 {
-  const Grid &       grid = indicators.GetGrid();
-  std::vector<Index> cubes;
-  cubes.reserve(std::size_t(grid.size[0] + 1) * (grid.size[1] + 1) * (grid.size[2] + 1));
-  for (int k = -1; k < grid.size[2]; ++k)
+  // a cube for each node, and one before the first node of an axis
+  Grid cubes = indicators.GetGrid();
+  for (int & size : cubes.size)
   {
-    for (int j = -1; j < grid.size[1]; ++j)
-    {
-      for (int i = -1; i < grid.size[0]; ++i)
-      {
-        cubes.push_back(Index{ { i, j, k } });
-      }
-    }
+    ++size;
   }
+  const auto cubeAt = [&cubes](std::size_t n) {
+    const Index at = cubes.IndexAt(n);
+    return Index{ { at[0] - 1, at[1] - 1, at[2] - 1 } };
+  };
   ParticleSet particles;
-  AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes), particles);
+  AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes.NumberOfNodes(), cubeAt), particles);
   return particles;
 }
 
@@ -265,6 +263,7 @@ SeedParticlesAround(const IndicatorSet &             indicators,
   }
   std::sort(cubes.begin(), cubes.end());
   cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
-  return AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes), particles);
+  const auto cubeAt = [&cubes](std::size_t n) { return cubes[n]; };
+  return AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes.size(), cubeAt), particles);
 }
 } // namespace mmm

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmSurfaceRelaxation.h"
 
+#include "mmmIncidence.h"
 #include "mmmParallel.h"
 
 #include <algorithm>
@@ -31,55 +32,10 @@ constexpr double      LongEdge = 1.4;
 constexpr double      ShortEdge = 0.6;
 constexpr double      MaximalityTolerance = 1e-2;
 
-/** The triangles around each particle. */
-class Fans
-{
-public:
-  Fans(const InterfaceMesh & interfaces, std::size_t count)
-    : m_Start(count + 1, 0)
-    , m_Triangles(3 * interfaces.triangles.size())
-  {
-    for (const auto & triangle : interfaces.triangles)
-    {
-      for (const auto corner : triangle)
-      {
-        ++m_Start[corner + 1];
-      }
-    }
-    for (std::size_t p = 0; p < count; ++p)
-    {
-      m_Start[p + 1] += m_Start[p];
-    }
-    std::vector<std::uint32_t> next(m_Start.begin(), m_Start.end() - 1);
-    for (std::uint32_t t = 0; t < interfaces.triangles.size(); ++t)
-    {
-      for (const auto corner : interfaces.triangles[t])
-      {
-        m_Triangles[next[corner]++] = t;
-      }
-    }
-  }
-
-  const std::uint32_t *
-  begin(std::size_t p) const
-  {
-    return m_Triangles.data() + m_Start[p];
-  }
-  const std::uint32_t *
-  end(std::size_t p) const
-  {
-    return m_Triangles.data() + m_Start[p + 1];
-  }
-
-private:
-  std::vector<std::uint32_t> m_Start;
-  std::vector<std::uint32_t> m_Triangles;
-};
-
 void
 SweepCentroids(const IndicatorSet &       indicators,
                const InterfaceMesh &      interfaces,
-               const Fans &               fans,
+               const Incidence &          fans,
                const std::vector<float> & sizes,
                ParticleSet &              particles)
 {
@@ -94,7 +50,7 @@ SweepCentroids(const IndicatorSet &       indicators,
       }
       Vector sum = Vector::Zero();
       double weights = 0.0;
-      for (auto t = fans.begin(p); t != fans.end(p); ++t)
+      for (auto t = fans.Begin(p); t != fans.End(p); ++t)
       {
         const auto &   triangle = interfaces.triangles[*t];
         const Vector & a = particles.positions[triangle[0]];
@@ -102,7 +58,7 @@ SweepCentroids(const IndicatorSet &       indicators,
         const Vector & c = particles.positions[triangle[2]];
         const double   h = (sizes[triangle[0]] + sizes[triangle[1]] + sizes[triangle[2]]) / 3.0;
         const double   area = (b - a).cross(c - a).norm();
-        const double weight = area / h;
+        const double   weight = area / h;
         sum += weight * (a + b + c) / 3.0;
         weights += weight;
       }
@@ -180,17 +136,17 @@ CommonSurface(const IndicatorSet & indicators, const Cell & a, const Cell & b, C
 std::size_t
 AdaptToEdges(const IndicatorSet &       indicators,
              const InterfaceMesh &      interfaces,
-             const Fans &               fans,
+             const Incidence &          fans,
              const std::vector<float> & sizes,
              ParticleSet &              particles)
 {
   const std::size_t count = particles.Size();
   std::vector<char> touched(count, 0);
-  std::vector<char> removed(count, 0);
+  std::vector<char> kept(count, 1);
   std::size_t       changes = 0;
   // one change a neighbourhood: what it does to the others shows in the next triangulation
   const auto touchAround = [&](PointId p) {
-    for (auto t = fans.begin(p); t != fans.end(p); ++t)
+    for (auto t = fans.Begin(p); t != fans.End(p); ++t)
     {
       for (const auto corner : interfaces.triangles[*t])
       {
@@ -212,7 +168,7 @@ AdaptToEdges(const IndicatorSet &       indicators,
       const PointId gone = cellB.Dimension() == 2 ? edge.b : edge.a;
       if (particles.CellOf(gone).Dimension() == 2)
       {
-        removed[gone] = 1;
+        kept[gone] = 0;
         touchAround(gone);
         ++changes;
       }
@@ -235,17 +191,7 @@ AdaptToEdges(const IndicatorSet &       indicators,
       ++changes;
     }
   }
-  std::size_t kept = 0;
-  for (std::size_t p = 0; p < particles.Size(); ++p)
-  {
-    if (p >= count || !removed[p])
-    {
-      particles.positions[kept] = particles.positions[p];
-      particles.cells[kept++] = particles.cells[p];
-    }
-  }
-  particles.positions.resize(kept);
-  particles.cells.resize(kept);
+  particles.Keep(kept);
   return changes;
 }
 } // namespace
@@ -258,7 +204,10 @@ RelaxOnSurface(const IndicatorSet &  indicators,
                bool                  adapt,
                ParticleSet &         particles)
 {
-  const Fans         fans(interfaces, particles.Size());
+  // the triangles around each particle
+  const Incidence    fans(particles.Size(), interfaces.triangles.size(), [&](std::size_t t) -> const Triangle & {
+    return interfaces.triangles[t];
+     });
   std::vector<float> sizes(particles.Size());
   ParallelFor(sizes.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
