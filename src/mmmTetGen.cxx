@@ -143,10 +143,7 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
 {
   if (!FillSpace(points))
   {
-    itkGenericExceptionMacro("No tetrahedra between "
-                             << points.size()
-                             << " points: they lie in one plane. The parts to be meshed are too "
-                                "small; a --radius of 0 keeps more of them.");
+    itkGenericExceptionMacro("No tetrahedra between " << points.size() << " points: they lie in one plane.");
   }
   tetgenio in;
   tetgenio out;
