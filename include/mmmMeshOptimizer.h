@@ -32,6 +32,8 @@ struct OptimizationParameters
   double poorAngle{ 18.0 };
   /** Below this, edges and faces within a material are flipped. */
   double flipAngle{ 30.0 };
+  /** Triangles of interfaces with a radius ratio below this are poor. */
+  double poorTriangle{ 0.8 };
   /** Rounds of local changes and smoothing; fewer if nothing is changed any more. */
   int rounds{ 6 };
   /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */

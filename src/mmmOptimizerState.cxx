@@ -31,6 +31,12 @@ OptimizerState::TriangleFloor(double quality)
 }
 
 double
+OptimizerState::EnoughBesideTriangles(double before)
+{
+  return std::min(before + LeastGain, QualityOfAngle(15.0));
+}
+
+double
 OptimizerState::Shape(Id t) const
 {
   const auto & c = complex.Corners(t);

@@ -32,10 +32,17 @@ struct OptimizerState
 
   /** An operation has to raise the worst quality by this much. */
   static constexpr double LeastGain = 1e-6;
+  /** A floor that no triangle reaches. */
+  static constexpr double Unreachable = 2.0;
   /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces: the floor is
    * lower where it is to get rid of a tetrahedron of very low quality. */
   static double
   TriangleFloor(double quality);
+
+  /** What the worst tetrahedron has to be better than after a change for the sake of triangles, where it is `before`
+   * now: what is good may get a little worse. */
+  static double
+  EnoughBesideTriangles(double before);
 
   const IndicatorSet &           indicators;
   const Material                 exterior;
