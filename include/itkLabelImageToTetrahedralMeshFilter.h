@@ -92,9 +92,11 @@ public:
   using ParticleMeshType = LabelParticleMesh;
   using IndicatorImageType = Image<float, 3>;
   using SizingImageType = Image<float, 3>;
+  using MaskImageType = Image<unsigned char, 3>;
 
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
+  using LabelSizesType = mmm::LabelSizeRules;
   using VoxelCountsType = mmm::LabelCounts;
   using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
   using StageRecordsType = std::vector<mmm::StageRecord>;
@@ -149,6 +151,36 @@ public:
   itkSetMacro(MaximumSize, double);
   itkGetConstMacro(MaximumSize, double);
 
+  /** The volume that no tetrahedron is to exceed, in mm^3, positive. Edge lengths are kept so small that none does;
+   * what other bounds say is no excuse. Default: infinity. */
+  itkSetMacro(MaximumVolume, double);
+  itkGetConstMacro(MaximumVolume, double);
+
+  /** A factor on the edge length at the interfaces of a label, and bounds in it and at its interfaces, in mm, which
+   * stand in place of MinimumSize and MaximumSize. Where two labels with sizes meet, the smaller result holds. Labels
+   * must be in the image; of several exterior ones, that which stands for all. Also as a text, such as
+   * "3:factor=0.5:max=2,7:min=1". Default: none. */
+  virtual void
+  SetLabelSizes(const LabelSizesType & sizes);
+  void
+  SetLabelSizes(const std::string & text);
+  itkGetConstReferenceMacro(LabelSizes, LabelSizesType);
+
+  /** Whether the sizing image stands in place of the computed edge lengths, within the bounds. Default: false, it is
+   * their maximum. */
+  itkSetMacro(SizingImageReplaces, bool);
+  itkGetConstMacro(SizingImageReplaces, bool);
+  itkBooleanMacro(SizingImageReplaces);
+
+  /** The bounds in the region of interest, in mm, positive, which stand in place of all others there. One of them is
+   * needed with the region, and neither is allowed without. Default: Automatic, which is the bound that holds
+   * elsewhere.
+   */
+  itkSetMacro(RegionMinimumSize, double);
+  itkGetConstMacro(RegionMinimumSize, double);
+  itkSetMacro(RegionMaximumSize, double);
+  itkGetConstMacro(RegionMaximumSize, double);
+
   /** The particles' order of insertion. Another seed gives another mesh of the same kind. Default: 1. */
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
@@ -163,12 +195,20 @@ public:
   itkGetConstMacro(KeepIntermediates, bool);
   itkBooleanMacro(KeepIntermediates);
 
-  /** An optional image of edge lengths in mm that the mesh is not to exceed, on the grid of the label image. All values
-   * are positive. */
+  /** An optional image of edge lengths in mm that the mesh is not to exceed, or that it is to have, see
+   * SizingImageReplaces. It is on the grid of the label image. All values are positive; infinity and 1e30 say nothing
+   * about a voxel. */
   void
   SetSizingImage(const SizingImageType * image);
   const SizingImageType *
   GetSizingImage() const;
+
+  /** An optional mask on the grid of the label image: bounds of its own hold where it is not 0, see RegionMinimumSize.
+   * Some of it must be in what is meshed. From its rim edges grow by GradientLimit. */
+  void
+  SetRegionOfInterest(const MaskImageType * mask);
+  const MaskImageType *
+  GetRegionOfInterest() const;
 
   SurfaceMeshType *
   GetSurface();
@@ -272,6 +312,13 @@ private:
   SizingImageType::Pointer
   MakeGridSizingImage(const mmm::GridGeometry & geometry) const;
 
+  /** The optional region of interest in that geometry, or a null pointer. */
+  MaskImageType::Pointer
+  MakeGridRegion(const mmm::GridGeometry & geometry) const;
+
+  bool
+  IsExterior(LabelType label) const;
+
   /** Gives an image of a stage the geometry of the input, with values in mm. */
   void
   RestoreGeometry(Image<float, 3> * image, double unit);
@@ -279,6 +326,14 @@ private:
   /** Throws if there is nothing to mesh. */
   void
   VerifyLabels(const VoxelCountsType & counts) const;
+
+  /** Throws if sizes are given for labels that will not be there. */
+  void
+  VerifyLabelSizes(const VoxelCountsType & counts) const;
+
+  /** Throws if the region of interest is in nothing that is meshed. */
+  void
+  VerifyRegionOfInterest(const TLabelImage * input) const;
 
   /** The stages, one by one. */
   typename TLabelImage::Pointer
@@ -302,17 +357,22 @@ private:
   void
   FindVanishedLabels(const VoxelCountsType & counts);
 
-  LabelsType    m_ExteriorLabels{ 0 };
-  SizeValueType m_MinimumIslandSize{ 8 };
-  double        m_Radius{ Automatic };
-  double        m_Epsilon{ 2.5 };
-  double        m_ChordTolerance{ Automatic };
-  double        m_GradientLimit{ 0.5 };
-  double        m_MinimumSize{ Automatic };
-  double        m_MaximumSize{ std::numeric_limits<double>::infinity() };
-  std::uint64_t m_Seed{ 1 };
-  bool          m_SurfaceOnly{ false };
-  bool          m_KeepIntermediates{ false };
+  LabelsType     m_ExteriorLabels{ 0 };
+  SizeValueType  m_MinimumIslandSize{ 8 };
+  double         m_Radius{ Automatic };
+  double         m_Epsilon{ 2.5 };
+  double         m_ChordTolerance{ Automatic };
+  double         m_GradientLimit{ 0.5 };
+  double         m_MinimumSize{ Automatic };
+  double         m_MaximumSize{ std::numeric_limits<double>::infinity() };
+  double         m_MaximumVolume{ std::numeric_limits<double>::infinity() };
+  LabelSizesType m_LabelSizes;
+  bool           m_SizingImageReplaces{ false };
+  double         m_RegionMinimumSize{ Automatic };
+  double         m_RegionMaximumSize{ Automatic };
+  std::uint64_t  m_Seed{ 1 };
+  bool           m_SurfaceOnly{ false };
+  bool           m_KeepIntermediates{ false };
 
   LabelsType         m_Labels;
   LabelType          m_OutsideLabel{ 0 };

@@ -23,6 +23,7 @@
 #include "itkMergeLabelIslandsImageFilter.h"
 #include "mmmSizingImage.h"
 
+#include "itkImageRegionConstIterator.h"
 #include "itkPrintHelper.h"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ template <typename TLabelImage, typename TOutputMesh>
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::LabelImageToTetrahedralMeshFilter()
 {
   this->AddOptionalInputName("SizingImage");
+  this->AddOptionalInputName("RegionOfInterest");
   this->SetNumberOfRequiredOutputs(3);
   for (DataObjectPointerArraySizeType n = 0; n < 3; ++n)
   {
@@ -118,6 +120,35 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetComputedSizingIm
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetRegionOfInterest(const MaskImageType * mask)
+{
+  this->ProcessObject::SetInput("RegionOfInterest", const_cast<MaskImageType *>(mask));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetRegionOfInterest() const -> const MaskImageType *
+{
+  return dynamic_cast<const MaskImageType *>(this->ProcessObject::GetInput("RegionOfInterest"));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetLabelSizes(const LabelSizesType & sizes)
+{
+  m_LabelSizes = sizes;
+  this->Modified();
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetLabelSizes(const std::string & text)
+{
+  this->SetLabelSizes(mmm::ParseLabelSizeRules(text));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 mmm::SizingOptions
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSizingOptions() const
 {
@@ -127,6 +158,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSizingOptions() 
   options.gradientLimit = m_GradientLimit;
   options.minimumSize = m_MinimumSize;
   options.maximumSize = m_MaximumSize;
+  options.maximumVolume = m_MaximumVolume;
+  options.labelSizes = m_LabelSizes;
+  options.region.minimumSize = m_RegionMinimumSize;
+  options.region.maximumSize = m_RegionMaximumSize;
+  options.hasRegion = this->GetRegionOfInterest() != nullptr;
   return options;
 }
 
@@ -139,6 +175,10 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyPreconditions
   {
     itkExceptionMacro("The radius is " << m_Radius << " mm. It must be finite and not negative.");
   }
+  if (m_SizingImageReplaces && this->GetSizingImage() == nullptr)
+  {
+    itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
+  }
   const std::string error = mmm::DescribeError(this->GetSizingOptions());
   if (!error.empty())
   {
@@ -150,22 +190,25 @@ template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyInputInformation() const
 {
-  const auto *            labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
-  const SizingImageType * sizes = this->GetSizingImage();
-  if (labels == nullptr || sizes == nullptr)
-  {
-    return;
-  }
-  if (!mmm::HaveSameGeometry(labels, sizes))
-  {
-    itkExceptionMacro("The sizing image differs from the label image in origin, spacing or direction.");
-  }
-  if (labels->GetLargestPossibleRegion() != sizes->GetLargestPossibleRegion())
-  {
-    itkExceptionMacro("The sizing image has "
-                      << sizes->GetLargestPossibleRegion().GetSize() << " voxels and the label image "
-                      << labels->GetLargestPossibleRegion().GetSize() << ". They must be on the same grid.");
-  }
+  const auto * labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
+  const auto   verify = [&](const ImageBase<3> * image, const char * name) {
+    if (labels == nullptr || image == nullptr)
+    {
+      return;
+    }
+    if (!mmm::HaveSameGeometry(labels, image))
+    {
+      itkExceptionMacro("The " << name << " differs from the label image in origin, spacing or direction.");
+    }
+    if (labels->GetLargestPossibleRegion() != image->GetLargestPossibleRegion())
+    {
+      itkExceptionMacro("The " << name << " has " << image->GetLargestPossibleRegion().GetSize()
+                               << " voxels and the label image " << labels->GetLargestPossibleRegion().GetSize()
+                               << ". They must be on the same grid.");
+    }
+  };
+  verify(this->GetSizingImage(), "sizing image");
+  verify(this->GetRegionOfInterest(), "region of interest");
 }
 
 template <typename TLabelImage, typename TOutputMesh>
@@ -223,6 +266,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
   const TLabelImage * input = this->GetInput();
   const auto          counts = mmm::CountLabels(input);
   this->VerifyLabels(counts);
+  this->VerifyLabelSizes(counts);
+  this->VerifyRegionOfInterest(input);
   const mmm::GridGeometry geometry(input, input->GetLargestPossibleRegion());
   auto                    labels = this->MergeIslands(this->MakeGridImage(geometry), monitor);
 
@@ -260,7 +305,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
   }
   const bool isAllExterior =
     std::all_of(counts.begin(), counts.end(), [this](const VoxelCountsType::value_type & entry) {
-      return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), entry.first) != m_ExteriorLabels.end();
+      return this->IsExterior(entry.first);
     });
   if (isAllExterior)
   {
@@ -269,12 +314,63 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabelSizes(const VoxelCountsType & counts) const
+{
+  // the first of the exterior labels that the image has stands for all
+  const auto isThere = [&](LabelType label) { return counts.count(label) != 0; };
+  const auto exterior = std::find_if(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), isThere);
+  LabelsType labels;
+  for (const auto & entry : counts)
+  {
+    if (!this->IsExterior(entry.first) || entry.first == *exterior)
+    {
+      labels.push_back(entry.first);
+    }
+  }
+  const std::string error = mmm::DescribeUnknownLabels(m_LabelSizes, labels);
+  if (!error.empty())
+  {
+    itkExceptionMacro(<< error);
+  }
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyRegionOfInterest(const TLabelImage * input) const
+{
+  const MaskImageType * mask = this->GetRegionOfInterest();
+  if (mask == nullptr)
+  {
+    return;
+  }
+  const auto &                            region = input->GetLargestPossibleRegion();
+  ImageRegionConstIterator<TLabelImage>   label(input, region);
+  ImageRegionConstIterator<MaskImageType> inRegion(mask, region);
+  for (; !label.IsAtEnd(); ++label, ++inRegion)
+  {
+    if (inRegion.Get() != 0 && !this->IsExterior(static_cast<LabelType>(label.Get())))
+    {
+      return;
+    }
+  }
+  itkExceptionMacro("No voxel of the region of interest is in what is meshed.");
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+bool
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::IsExterior(LabelType label) const
+{
+  return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), label) != m_ExteriorLabels.end();
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 int
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorIndex() const
 {
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
-    if (std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), m_Labels[n]) != m_ExteriorLabels.end())
+    if (this->IsExterior(m_Labels[n]))
     {
       return static_cast<int>(n);
     }
@@ -307,6 +403,22 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridSizingImage
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   image->Allocate();
   std::copy(sizes.begin(), sizes.end(), image->GetBufferPointer());
+  return image;
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridRegion(const mmm::GridGeometry & geometry) const
+  -> MaskImageType::Pointer
+{
+  const MaskImageType * input = this->GetRegionOfInterest();
+  if (input == nullptr)
+  {
+    return nullptr;
+  }
+  const auto image = MaskImageType::New();
+  image->Graft(input);
+  mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   return image;
 }
 
@@ -393,6 +505,13 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeSizing(const
     filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
   }
   filter->SetSizingImage(this->MakeGridSizingImage(geometry));
+  filter->SetSizingImageReplaces(m_SizingImageReplaces);
+  filter->SetRegionOfInterest(this->MakeGridRegion(geometry));
+  filter->SetRegionMinimumSize(geometry.ToGridUnit(m_RegionMinimumSize));
+  filter->SetRegionMaximumSize(geometry.ToGridUnit(m_RegionMaximumSize));
+  filter->SetLabels(m_Labels);
+  filter->SetLabelSizes(mmm::ToGridUnit(m_LabelSizes, geometry));
+  filter->SetMaximumVolume(std::pow(geometry.ToGridUnit(std::cbrt(m_MaximumVolume)), 3));
   filter->SetEpsilon(m_Epsilon);
   filter->SetGradientLimit(m_GradientLimit);
   filter->SetChordTolerance(geometry.ToGridUnit(m_ChordTolerance));
@@ -494,6 +613,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "GradientLimit: " << m_GradientLimit << std::endl;
   os << indent << "MinimumSize: " << m_MinimumSize << std::endl;
   os << indent << "MaximumSize: " << m_MaximumSize << std::endl;
+  os << indent << "MaximumVolume: " << m_MaximumVolume << std::endl;
+  os << indent << "LabelSizes: " << mmm::ToText(m_LabelSizes) << std::endl;
+  os << indent << "SizingImageReplaces: " << (m_SizingImageReplaces ? "On" : "Off") << std::endl;
+  os << indent << "RegionMinimumSize: " << m_RegionMinimumSize << std::endl;
+  os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
