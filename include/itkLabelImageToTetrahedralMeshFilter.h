@@ -119,6 +119,18 @@ public:
   SetExteriorLabels(const LabelsType & labels);
   itkGetConstReferenceMacro(ExteriorLabels, LabelsType);
 
+  /** Mesh the exterior as well, as one label that keeps its value: air, up to the faces of the image's box or, with
+   * AirMargin, of the box around what else is meshed. Pockets of exterior inside are air, too. Default: false. */
+  itkSetMacro(FillExterior, bool);
+  itkGetConstMacro(FillExterior, bool);
+  itkBooleanMacro(FillExterior);
+
+  /** How far that box is to go beyond what else is meshed, at least, in mm, not negative. The image is extended by
+   * exterior (by the first of ExteriorLabels if it has none) or cut; where its border cuts a label, air follows. It
+   * says that the exterior is filled, whatever FillExterior is. Default: Automatic, the box is the image's. */
+  itkSetMacro(AirMargin, double);
+  itkGetConstMacro(AirMargin, double);
+
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
   itkSetMacro(MinimumIslandSize, SizeValueType);
@@ -190,6 +202,14 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** Refuse meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive,
+   * before the long stages begin: Update() throws an ExceptionObject that says which smallest size would do. See
+   * MeshingReport::estimate. Defaults: no limit. */
+  itkSetMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkGetConstMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkSetMacro(MaximumMemory, double);
+  itkGetConstMacro(MaximumMemory, double);
+
   /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
   itkSetMacro(KeepIntermediates, bool);
   itkGetConstMacro(KeepIntermediates, bool);
@@ -234,7 +254,8 @@ public:
    */
   itkGetConstReferenceMacro(VanishedLabels, VoxelCountsType);
 
-  /** Counts of the particles and how their relaxation went. */
+  /** What was expected, counts of the particles and how their relaxation went. The estimate is there for observers of
+   * ProgressEvent as soon as the stage "preparation" has ended. */
   itkGetConstReferenceMacro(Report, mmm::MeshingReport);
 
   /** The stages that ended, in their order. */
@@ -300,13 +321,28 @@ private:
   mmm::SizingOptions
   GetSizingOptions() const;
 
-  /** The place of the exterior label among the labels, or -1 if the image has none. */
+  bool
+  IsExterior(LabelType label) const;
+
+  /** Whether the exterior is meshed, too. */
+  bool
+  IsFilled() const;
+
+  /** The label that stands for all exterior ones. */
+  LabelType
+  GetExteriorLabel(const VoxelCountsType & counts) const;
+
+  /** What is meshed of the image, or around it: the image itself if there is no margin. */
+  typename TLabelImage::ConstPointer
+  MakeDomain(const TLabelImage * input, const VoxelCountsType & counts) const;
+
+  /** The place of the label that is not meshed among the labels, or -1 if there is none. */
   int
   GetExteriorIndex() const;
 
   /** The image in the geometry of its grid, where the stages work: the grid's unit of length, origin 0, no rotation. */
   typename TLabelImage::Pointer
-  MakeGridImage(const mmm::GridGeometry & geometry);
+  MakeGridImage(const TLabelImage * domain, const mmm::GridGeometry & geometry) const;
 
   /** The optional sizing image in that geometry, or a null pointer. */
   SizingImageType::Pointer
@@ -316,12 +352,9 @@ private:
   MaskImageType::Pointer
   MakeGridRegion(const mmm::GridGeometry & geometry) const;
 
-  bool
-  IsExterior(LabelType label) const;
-
-  /** Gives an image of a stage the geometry of the input, with values in mm. */
+  /** Gives an image of a stage the geometry of the domain, with values in mm. */
   void
-  RestoreGeometry(Image<float, 3> * image, double unit);
+  RestoreGeometry(const TLabelImage * domain, Image<float, 3> * image, double unit) const;
 
   /** Throws if there is nothing to mesh. */
   void
@@ -345,7 +378,10 @@ private:
                 const mmm::GridGeometry &   geometry,
                 mmm::FilterMonitor &        monitor);
   void
-  BuildMeshes(const IndicatorImagesType & indicators, const SizingImageType * sizing, mmm::FilterMonitor & monitor);
+  BuildMeshes(const TLabelImage *         domain,
+              const IndicatorImagesType & indicators,
+              const SizingImageType *     sizing,
+              mmm::FilterMonitor &        monitor);
 
   /** Passes a stage's progress on to the monitor, and the order to abort to the stage's filter. */
   void
@@ -358,6 +394,8 @@ private:
   FindVanishedLabels(const VoxelCountsType & counts);
 
   LabelsType     m_ExteriorLabels{ 0 };
+  bool           m_FillExterior{ false };
+  double         m_AirMargin{ Automatic };
   SizeValueType  m_MinimumIslandSize{ 8 };
   double         m_Radius{ Automatic };
   double         m_Epsilon{ 2.5 };
@@ -372,6 +410,8 @@ private:
   double         m_RegionMaximumSize{ Automatic };
   std::uint64_t  m_Seed{ 1 };
   bool           m_SurfaceOnly{ false };
+  SizeValueType  m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
+  double         m_MaximumMemory{ std::numeric_limits<double>::infinity() };
   bool           m_KeepIntermediates{ false };
 
   LabelsType         m_Labels;

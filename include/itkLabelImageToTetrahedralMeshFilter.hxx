@@ -21,6 +21,7 @@
 #include "itkIndicatorImagesToSizingImageFilter.h"
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
+#include "mmmImageRegions.h"
 #include "mmmSizingImage.h"
 
 #include "itkImageRegionConstIterator.h"
@@ -179,6 +180,18 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyPreconditions
   {
     itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
   }
+  if (m_AirMargin < 0.0 || std::isinf(m_AirMargin))
+  {
+    itkExceptionMacro("The air margin is " << m_AirMargin << " mm. It must be finite and not negative.");
+  }
+  if (this->IsFilled() && m_ExteriorLabels.empty())
+  {
+    itkExceptionMacro("The exterior is to be filled, but no label is exterior.");
+  }
+  if (!(m_MaximumMemory > 0.0))
+  {
+    itkExceptionMacro("The largest memory is " << m_MaximumMemory << " GB. It must be positive.");
+  }
   const std::string error = mmm::DescribeError(this->GetSizingOptions());
   if (!error.empty())
   {
@@ -264,12 +277,17 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
 
   monitor.BeginStage("merging of islands");
   const TLabelImage * input = this->GetInput();
-  const auto          counts = mmm::CountLabels(input);
+  auto                counts = mmm::CountLabels(input);
   this->VerifyLabels(counts);
-  this->VerifyLabelSizes(counts);
   this->VerifyRegionOfInterest(input);
-  const mmm::GridGeometry geometry(input, input->GetLargestPossibleRegion());
-  auto                    labels = this->MergeIslands(this->MakeGridImage(geometry), monitor);
+  const auto domain = this->MakeDomain(input, counts);
+  if (domain != input)
+  {
+    counts = mmm::CountLabels(domain.GetPointer());
+  }
+  this->VerifyLabelSizes(counts);
+  const mmm::GridGeometry geometry(domain, domain->GetLargestPossibleRegion());
+  auto                    labels = this->MergeIslands(this->MakeGridImage(domain, geometry), monitor);
 
   monitor.BeginStage("indicators");
   auto indicators = this->ComputeIndicators(labels, geometry, monitor);
@@ -278,16 +296,16 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
   monitor.BeginStage("sizing");
   auto sizing = this->ComputeSizing(indicators, geometry, monitor);
 
-  this->BuildMeshes(indicators, sizing, monitor);
+  this->BuildMeshes(domain, indicators, sizing, monitor);
   this->FindVanishedLabels(counts);
 
   if (m_KeepIntermediates)
   {
     for (auto & image : indicators)
     {
-      this->RestoreGeometry(image, geometry.GetUnit());
+      this->RestoreGeometry(domain, image, geometry.GetUnit());
     }
-    this->RestoreGeometry(sizing, geometry.GetUnit());
+    this->RestoreGeometry(domain, sizing, geometry.GetUnit());
     m_IndicatorImages = std::move(indicators);
     m_ComputedSizingImage = sizing;
   }
@@ -317,13 +335,10 @@ template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabelSizes(const VoxelCountsType & counts) const
 {
-  // the first of the exterior labels that the image has stands for all
-  const auto isThere = [&](LabelType label) { return counts.count(label) != 0; };
-  const auto exterior = std::find_if(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), isThere);
   LabelsType labels;
   for (const auto & entry : counts)
   {
-    if (!this->IsExterior(entry.first) || entry.first == *exterior)
+    if (!this->IsExterior(entry.first) || entry.first == this->GetExteriorLabel(counts))
     {
       labels.push_back(entry.first);
     }
@@ -349,7 +364,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyRegionOfInter
   ImageRegionConstIterator<MaskImageType> inRegion(mask, region);
   for (; !label.IsAtEnd(); ++label, ++inRegion)
   {
-    if (inRegion.Get() != 0 && !this->IsExterior(static_cast<LabelType>(label.Get())))
+    if (inRegion.Get() != 0 && (this->IsFilled() || !this->IsExterior(static_cast<LabelType>(label.Get()))))
     {
       return;
     }
@@ -365,9 +380,52 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::IsExterior(LabelTyp
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+bool
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::IsFilled() const
+{
+  return m_FillExterior || !std::isnan(m_AirMargin);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorLabel(const VoxelCountsType & counts) const
+  -> LabelType
+{
+  const auto isThere = [&](LabelType label) { return counts.count(label) != 0; };
+  const auto first = std::find_if(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), isThere);
+  return first == m_ExteriorLabels.end() ? m_ExteriorLabels.front() : *first;
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeDomain(const TLabelImage *     input,
+                                                                        const VoxelCountsType & counts) const ->
+  typename TLabelImage::ConstPointer
+{
+  if (std::isnan(m_AirMargin))
+  {
+    return input;
+  }
+  using PixelType = typename TLabelImage::PixelType;
+  const LabelType label = this->GetExteriorLabel(counts);
+  const auto      air = static_cast<PixelType>(label);
+  if (static_cast<std::int64_t>(air) != label)
+  {
+    itkExceptionMacro("The label of air, " << label << ", is beyond the range of the image's pixels.");
+  }
+  const auto box =
+    mmm::BoxOf(input, [this](PixelType pixel) { return !this->IsExterior(static_cast<LabelType>(pixel)); });
+  return mmm::CopyRegion(input, mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin), air);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 int
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorIndex() const
 {
+  if (this->IsFilled())
+  {
+    return -1;
+  }
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
     if (this->IsExterior(m_Labels[n]))
@@ -380,10 +438,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorIndex() 
 
 template <typename TLabelImage, typename TOutputMesh>
 typename TLabelImage::Pointer
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridImage(const mmm::GridGeometry & geometry)
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridImage(const TLabelImage *       domain,
+                                                                           const mmm::GridGeometry & geometry) const
 {
   const auto image = TLabelImage::New();
-  image->Graft(this->GetInput());
+  image->Graft(domain);
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   return image;
 }
@@ -398,7 +457,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridSizingImage
   {
     return nullptr;
   }
-  const auto sizes = mmm::ReadSizingImage(input, geometry);
+  const auto extended = mmm::CopyRegion(input, geometry.GetRegion(), mmm::SizingControl::NoLimit);
+  const auto sizes = mmm::ReadSizingImage(extended.GetPointer(), geometry);
   const auto image = SizingImageType::New();
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   image->Allocate();
@@ -417,22 +477,23 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridRegion(cons
     return nullptr;
   }
   const auto image = MaskImageType::New();
-  image->Graft(input);
+  image->Graft(mmm::CopyRegion(input, geometry.GetRegion(), MaskImageType::PixelType(0)).GetPointer());
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   return image;
 }
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::RestoreGeometry(Image<float, 3> * image, double unit)
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::RestoreGeometry(const TLabelImage * domain,
+                                                                             Image<float, 3> *   image,
+                                                                             double              unit) const
 {
-  const TLabelImage * input = this->GetInput();
-  auto                region = image->GetBufferedRegion();
+  auto region = image->GetBufferedRegion();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    region.SetIndex(axis, region.GetIndex(axis) + input->GetLargestPossibleRegion().GetIndex(axis));
+    region.SetIndex(axis, region.GetIndex(axis) + domain->GetLargestPossibleRegion().GetIndex(axis));
   }
-  image->CopyInformation(input);
+  image->CopyInformation(domain);
   image->SetRegions(region);
   float * values = image->GetBufferPointer();
   std::transform(values, values + region.GetNumberOfPixels(), values, [unit](float value) {
@@ -525,7 +586,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeSizing(const
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const IndicatorImagesType & indicators,
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const TLabelImage *         domain,
+                                                                         const IndicatorImagesType & indicators,
                                                                          const SizingImageType *     sizing,
                                                                          mmm::FilterMonitor &        monitor)
 {
@@ -540,8 +602,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const I
   filter->SetOutsideLabel(m_ExteriorLabels.empty() ? 0 : m_ExteriorLabels.front());
   filter->SetSeed(m_Seed);
   filter->SetSurfaceOnly(m_SurfaceOnly);
-  filter->SetReferenceImage(this->GetInput());
+  filter->SetMaximumNumberOfTetrahedra(m_MaximumNumberOfTetrahedra);
+  filter->SetMaximumMemory(m_MaximumMemory);
+  filter->SetReferenceImage(domain);
   filter->AddObserver(ProgressEvent(), [this, &filter, &monitor](const EventObject &) {
+    m_Report.estimate = filter->GetReport().estimate;
     if (filter->GetCurrentStage() != m_StageLog.current)
     {
       monitor.BeginStage(filter->GetCurrentStage());
@@ -606,6 +671,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   using namespace print_helper;
   Superclass::PrintSelf(os, indent);
   os << indent << "ExteriorLabels: " << m_ExteriorLabels << std::endl;
+  os << indent << "FillExterior: " << (m_FillExterior ? "On" : "Off") << std::endl;
+  os << indent << "AirMargin: " << m_AirMargin << std::endl;
   os << indent << "MinimumIslandSize: " << m_MinimumIslandSize << std::endl;
   os << indent << "Radius: " << m_Radius << std::endl;
   os << indent << "Epsilon: " << m_Epsilon << std::endl;
@@ -620,6 +687,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
+  os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
