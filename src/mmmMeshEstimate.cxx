@@ -50,10 +50,11 @@ constexpr double SizePerLostThickness = 0.63;
 constexpr double FaceArea = 1.5;
 
 constexpr double TrianglesPerArea = 2.0;
-constexpr double TetrahedraPerVolume = 5.45;
+constexpr double TetrahedraPerVolume = 5.25;
 constexpr double PointsPerTetrahedron = 0.17;
 constexpr double PointsPerTriangle = 0.05;
-constexpr double BytesPerTetrahedron = 715.0;
+constexpr double BytesPerTetrahedron = 680.0;
+constexpr double BytesPerTriangle = 320.0; // without tetrahedra
 constexpr double Gigabyte = 1024.0 * 1024.0 * 1024.0;
 
 /** Planes of the grid that are summed up together: their number is no matter of threads. */
@@ -249,7 +250,9 @@ MeshEstimator::Estimate(double smallestSize) const
   estimate.tetrahedra = m_SurfaceOnly ? 0.0 : TetrahedraPerVolume * volume;
   estimate.points = m_SurfaceOnly ? 0.5 * estimate.triangles
                                   : PointsPerTetrahedron * estimate.tetrahedra + PointsPerTriangle * estimate.triangles;
-  estimate.memory = m_MemoryOfImages + BytesPerTetrahedron * estimate.tetrahedra / Gigabyte;
+  const double bytes =
+    m_SurfaceOnly ? BytesPerTriangle * estimate.triangles : BytesPerTetrahedron * estimate.tetrahedra;
+  estimate.memory = m_MemoryOfImages + bytes / Gigabyte;
   return estimate;
 }
 

@@ -21,6 +21,7 @@
 #include "mmmTestMeshes.h"
 
 #include <limits>
+#include <string>
 
 namespace
 {
@@ -43,6 +44,26 @@ MakeScaledHalves(double unit)
   spacing.Fill(unit);
   image->SetSpacing(spacing);
   return image;
+}
+
+/** The smallest size that the filter proposes when it refuses a mesh. */
+double
+ProposedSize(FilterType * filter)
+{
+  try
+  {
+    filter->Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    const std::string words = error.GetDescription();
+    const std::string before = "A smallest size of ";
+    const auto        place = words.find(before);
+    EXPECT_NE(place, std::string::npos) << words;
+    return place == std::string::npos ? 0.0 : std::stod(words.substr(place + before.size()));
+  }
+  ADD_FAILURE() << "no exception";
+  return 0.0;
 }
 } // namespace
 
@@ -81,41 +102,30 @@ TEST(MeshLimits, ExpectationIsKnownToObserversBeforeTheLongStages)
 
 TEST(MeshLimits, TooManyTetrahedraAreRefusedBeforeTheLongStages)
 {
+  const auto filter = MakeFilter(MakeScaledHalves(1.0));
+  filter->SetMaximumSize(1.5);
+  filter->SetMaximumNumberOfTetrahedra(2000);
+  mmmtest::ExpectException([&] { filter->Update(); }, "more than the limit of 2000 tetrahedra");
+  EXPECT_EQ(filter->GetCurrentStage(), "preparation");
+  EXPECT_GT(filter->GetReport().estimate.tetrahedra, 2000.0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0u);
+}
+
+TEST(MeshLimits, SizeThatIsProposedIsInMillimetersAndAccepted)
+{
+  double first = 0.0;
   for (const double unit : { 1.0, 0.01 })
   {
     const auto filter = MakeFilter(MakeScaledHalves(unit));
+    filter->SetMaximumNumberOfTetrahedra(3000);
     filter->SetMaximumSize(1.5 * unit);
-    filter->SetMaximumNumberOfTetrahedra(2000);
-    mmmtest::ExpectException([&] { filter->Update(); }, "more than the limit of 2000 tetrahedra");
-    EXPECT_EQ(filter->GetCurrentStage(), "preparation");
-    EXPECT_GT(filter->GetReport().estimate.tetrahedra, 2000.0);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0u);
-    mmmtest::ExpectException([&] { filter->Update(); },
-                             unit == 1.0 ? "A smallest size of 3" : "A smallest size of 0.03");
-  }
-}
-
-TEST(MeshLimits, SizeThatIsProposedIsAccepted)
-{
-  const auto filter = MakeFilter(MakeScaledHalves(1.0));
-  filter->SetMaximumNumberOfTetrahedra(3000);
-  filter->SetMaximumSize(1.5);
-  try
-  {
-    filter->Update();
-    FAIL() << "no exception";
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    const std::string words = error.GetDescription();
-    const std::string before = "A smallest size of ";
-    const auto        place = words.find(before);
-    ASSERT_NE(place, std::string::npos) << words;
-    const double size = std::stod(words.substr(place + before.size()));
+    const double size = ProposedSize(filter);
+    first = first > 0.0 ? first : size;
+    EXPECT_NEAR(size, first * unit, 1e-9);
     filter->SetMaximumSize(std::numeric_limits<double>::infinity());
     filter->SetMinimumSize(size);
+    EXPECT_NO_THROW(filter->Update());
   }
-  EXPECT_NO_THROW(filter->Update());
 }
 
 TEST(MeshLimits, TooMuchMemoryIsRefused)
