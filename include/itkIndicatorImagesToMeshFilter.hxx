@@ -28,6 +28,8 @@
 #include "itkTriangleCell.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace itk
 {
@@ -145,6 +147,10 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPreconditions()
   {
     itkExceptionMacro("There is nothing but exterior.");
   }
+  if (!(m_MaximumMemory > 0.0))
+  {
+    itkExceptionMacro("The largest memory is " << m_MaximumMemory << " GB. It must be positive.");
+  }
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
@@ -229,11 +235,16 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
     m_ReferenceImage ? mmm::GridGeometry(m_ReferenceImage, m_ReferenceImage->GetLargestPossibleRegion())
                      : images.GetGeometry();
 
+  const mmm::MeshEstimator estimator(indicators, m_ExteriorIndex, sizing, m_SurfaceOnly);
+  m_Report.estimate = estimator.Estimate();
+  this->VerifyEstimate(estimator, outputGeometry.GetUnit());
+
   mmm::MeshingParameters parameters;
   parameters.exterior = m_ExteriorIndex;
   parameters.seed = m_Seed;
   parameters.surfaceOnly = m_SurfaceOnly;
   mmm::MeshingResult result;
+  result.report.estimate = m_Report.estimate;
   try
   {
     mmm::BuildMesh(indicators, sizing, parameters, monitor, result);
@@ -248,6 +259,40 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
   this->FillSurfaceAndParticles(result, outputGeometry);
   this->FillTetrahedra(result, outputGeometry);
   monitor.Report(1.0);
+}
+
+template <typename TIndicatorImage, typename TOutputMesh>
+void
+IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::VerifyEstimate(const mmm::MeshEstimator & estimator,
+                                                                          double                     unit) const
+{
+  const auto most = static_cast<double>(m_MaximumNumberOfTetrahedra);
+  const bool isTooLarge = m_Report.estimate.tetrahedra > most;
+  if (!isTooLarge && m_Report.estimate.memory <= m_MaximumMemory)
+  {
+    return;
+  }
+  std::ostringstream words;
+  words << "About " << mmm::Describe(m_Report.estimate) << " are to be expected, more than the limit of ";
+  if (isTooLarge)
+  {
+    words << m_MaximumNumberOfTetrahedra << " tetrahedra.";
+  }
+  else
+  {
+    words << m_MaximumMemory << " GB.";
+  }
+  const double size = unit * estimator.SmallestSizeFor(most, m_MaximumMemory);
+  if (std::isfinite(size))
+  {
+    words << " A smallest size of " << mmm::RoundUp(size) << " mm is expected to keep to it.";
+  }
+  else
+  {
+    words << " No smallest size is expected to keep to it: the images or their thin parts take more. Larger voxels or "
+             "fewer labels would help.";
+  }
+  itkExceptionMacro(<< words.str());
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
@@ -330,6 +375,8 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::PrintSelf(std::ostrea
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
+  os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   itkPrintSelfObjectMacro(ReferenceImage);
   os << indent << "UsedOutsideLabel: " << m_UsedOutsideLabel << std::endl;
   os << indent << "Particles on cells of dimension 0 to 3: " << m_Report.particles[0] << ' ' << m_Report.particles[1]

@@ -56,6 +56,7 @@ struct TetrahedronStatistics
   std::size_t count{ 0 };
   /** The sum of the absolute volumes. */
   double volume{ 0.0 };
+  double largestVolume{ 0.0 };
   /** Tetrahedra that are flat or turned over. */
   std::size_t nonPositive{ 0 };
 

@@ -129,6 +129,7 @@ Add(TetrahedronStatistics & sum, const TetrahedronStatistics & part)
 {
   sum.count += part.count;
   sum.volume += part.volume;
+  sum.largestVolume = std::max(sum.largestVolume, part.largestVolume);
   sum.nonPositive += part.nonPositive;
   sum.largestAngle = std::max(sum.largestAngle, part.largestAngle);
   for (int i = 0; i < 3; ++i)
@@ -212,6 +213,7 @@ MeasureTetrahedra(const std::vector<Vector> &        points,
 
       ++part.count;
       part.volume += std::abs(volume);
+      part.largestVolume = std::max(part.largestVolume, std::abs(volume));
       part.nonPositive += !(volume > 0.0);
       part.largestAngle = std::max(part.largestAngle, largest);
       for (int k = 0; k < 3; ++k)

@@ -22,6 +22,8 @@
 #include "SettingsCheck.h"
 #include "SlicerDescription.h"
 
+#include "itkMacro.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -110,6 +112,28 @@ ParseLabels(const Option & option, const std::string & text)
   }
 }
 
+mmm::LabelSizeRules
+ParseLabelSizes(const Option & option, const std::string & text)
+{
+  try
+  {
+    const auto rules = mmm::ParseLabelSizeRules(text);
+    for (const auto & [label, rule] : rules)
+    {
+      const std::string error = mmm::DescribeError(rule, "label " + std::to_string(label));
+      if (!error.empty())
+      {
+        throw UsageError(ToOneLine("--" + option.name + " is '" + text + "'; " + error));
+      }
+    }
+    return rules;
+  }
+  catch (const itk::ExceptionObject & exception)
+  {
+    throw UsageError(ToOneLine("--" + option.name + " is '" + text + "'; " + exception.GetDescription()));
+  }
+}
+
 void
 CheckChoice(const Option & option, const std::string & text)
 {
@@ -146,6 +170,14 @@ public:
   {
     this->AddText([this_ = *this, field](const std::string & text) {
       this_.m_Settings.*field = ParseLabels(this_.m_Option, text);
+    });
+  }
+
+  void
+  operator()(mmm::LabelSizeRules Settings::* field) const
+  {
+    this->AddText([this_ = *this, field](const std::string & text) {
+      this_.m_Settings.*field = ParseLabelSizes(this_.m_Option, text);
     });
   }
 

@@ -23,6 +23,9 @@
 
 #include "itkEventObject.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace cli
 {
 namespace
@@ -55,6 +58,21 @@ KeepSurface(MeshFilter & filter, const std::string & fileName)
   }
   return true;
 }
+
+MeshFilter::MaskImageType::Pointer
+MakeMask(const LabelImage * image)
+{
+  auto         mask = MeshFilter::MaskImageType::New();
+  const auto & region = image->GetBufferedRegion();
+  mask->CopyInformation(image);
+  mask->SetRegions(region);
+  mask->Allocate();
+  std::transform(image->GetBufferPointer(),
+                 image->GetBufferPointer() + region.GetNumberOfPixels(),
+                 mask->GetBufferPointer(),
+                 [](int value) { return value != 0; });
+  return mask;
+}
 } // namespace
 
 MeshFilter::Pointer
@@ -63,6 +81,8 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   auto filter = MeshFilter::New();
   filter->SetInput(labels);
   filter->SetExteriorLabels(settings.exterior);
+  filter->SetFillExterior(settings.fillExterior);
+  filter->SetAirMargin(settings.airMargin.value_or(MeshFilter::Automatic));
   filter->SetMinimumIslandSize(settings.minIsland);
   filter->SetRadius(settings.radius.value_or(MeshFilter::Automatic));
   filter->SetEpsilon(settings.epsilon);
@@ -70,6 +90,16 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   filter->SetGradientLimit(settings.gradientLimit);
   filter->SetMinimumSize(settings.minSize.value_or(MeshFilter::Automatic));
   filter->SetMaximumSize(settings.maxSize.value_or(std::numeric_limits<double>::infinity()));
+  filter->SetMaximumVolume(settings.maxVolume.value_or(std::numeric_limits<double>::infinity()));
+  filter->SetLabelSizes(settings.labelSizes);
+  filter->SetSizingImageReplaces(settings.sizingMode == "replace");
+  filter->SetRegionMinimumSize(settings.roiMinSize.value_or(MeshFilter::Automatic));
+  filter->SetRegionMaximumSize(settings.roiMaxSize.value_or(MeshFilter::Automatic));
+  if (settings.maxTetrahedra)
+  {
+    filter->SetMaximumNumberOfTetrahedra(*settings.maxTetrahedra);
+  }
+  filter->SetMaximumMemory(settings.maxMemory.value_or(std::numeric_limits<double>::infinity()));
   filter->SetSeed(settings.seed);
   filter->SetSurfaceOnly(settings.surfaceOnly);
   filter->SetKeepIntermediates(!settings.indicatorPrefix.empty() || !settings.sizingFile.empty());
@@ -77,13 +107,24 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   {
     filter->SetSizingImage(ReadScalarImage(settings.sizingImage));
   }
+  if (!settings.roi.empty())
+  {
+    filter->SetRegionOfInterest(MakeMask(ReadLabelImage(settings.roi)));
+  }
   return filter;
 }
 
 void
 RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & display)
 {
+  bool isEstimateShown = false;
   filter.AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    const mmm::MeshEstimate & estimate = filter.GetReport().estimate;
+    if (!isEstimateShown && estimate.points > 0.0)
+    {
+      isEstimateShown = true;
+      display.Note("expect about " + mmm::Describe(estimate));
+    }
     display.Show(filter.GetCurrentStage(), filter.GetStageProgress(), filter.GetProgress());
     if (GetInterruption() != 0)
     {

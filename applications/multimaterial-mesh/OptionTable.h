@@ -35,6 +35,7 @@ enum class Kind
   Real,
   Choice,
   Labels,
+  LabelSizes,
   LabelImage,
   ScalarImage,
   Mesh,
@@ -67,7 +68,8 @@ struct Option
                              std::uint64_t                Settings::*,
                              std::optional<std::uint64_t> Settings::*,
                              std::string                  Settings::*,
-                             std::vector<int>             Settings::*>;
+                             std::vector<int>             Settings::*,
+                             mmm::LabelSizeRules          Settings::*>;
 
   /** Without hyphens before it. Positional arguments are in capitals. */
   std::string name;
@@ -77,7 +79,7 @@ struct Option
   std::string group;
   /** What stands for the value in the help; empty for flags. */
   std::string placeholder;
-  /** "mm" or empty. */
+  /** "mm" and the like, or empty. */
   std::string unit;
   Range       range;
   /** In words; empty where there is none. */

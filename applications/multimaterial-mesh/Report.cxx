@@ -75,6 +75,8 @@ ParameterSection(const Settings & settings)
   const auto file = [](const std::string & name) { return name.empty() ? Json(nullptr) : Json(name); };
   Json       section;
   section["exterior"] = settings.exterior;
+  section["fill_exterior"] = settings.fillExterior || settings.airMargin;
+  section["air_margin_mm"] = length(settings.airMargin);
   section["min_island_voxels"] = settings.minIsland;
   section["surface_only"] = settings.surfaceOnly;
   section["msh_format"] = settings.mshFormat;
@@ -85,7 +87,15 @@ ParameterSection(const Settings & settings)
   section["gradient_limit"] = Number(settings.gradientLimit);
   section["min_size_mm"] = length(settings.minSize);
   section["max_size_mm"] = length(settings.maxSize);
+  section["max_volume_mm3"] = length(settings.maxVolume);
+  section["label_size"] = mmm::ToText(settings.labelSizes);
   section["sizing_image"] = file(settings.sizingImage);
+  section["sizing_mode"] = settings.sizingMode;
+  section["roi"] = file(settings.roi);
+  section["roi_min_size_mm"] = length(settings.roiMinSize);
+  section["roi_max_size_mm"] = length(settings.roiMaxSize);
+  section["max_tetrahedra"] = settings.maxTetrahedra ? Json(*settings.maxTetrahedra) : Json(nullptr);
+  section["max_memory_gb"] = length(settings.maxMemory);
   section["threads"] = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   section["seed"] = settings.seed;
   return section;
@@ -122,6 +132,15 @@ CountSection(const Outcome & outcome)
   section["points"] = outcome.tetrahedra->GetNumberOfPoints();
   section["tetrahedra"] = outcome.tetrahedra->GetNumberOfCells();
   return section;
+}
+
+Json
+EstimateSection(const mmm::MeshEstimate & estimate)
+{
+  return { { "triangles", std::llround(estimate.triangles) },
+           { "points", std::llround(estimate.points) },
+           { "tetrahedra", std::llround(estimate.tetrahedra) },
+           { "memory_gb", Number(estimate.memory) } };
 }
 
 Json
@@ -191,6 +210,7 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   Json section;
   section["tetrahedra"] = statistics.count;
   section["volume_mm3"] = Number(statistics.volume);
+  section["largest_volume_mm3"] = Number(statistics.largestVolume);
   section["non_positive"] = statistics.nonPositive;
   section["radius_ratio"] = ToJson(statistics.radiusRatio);
   section["smallest_dihedral_angle_deg"] = ToJson(statistics.smallestAngle);
@@ -264,6 +284,7 @@ MakeReport(const Outcome & outcome)
   report["outside_label"] = filter.GetOutsideLabel();
   report["islands_merged"] = IslandSection(filter);
   report["vanished_labels"] = PerLabel(filter.GetVanishedLabels(), "voxels");
+  report["expected"] = EstimateSection(filter.GetReport().estimate);
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
   report["optimization"] = OptimizationSection(filter.GetReport().optimization);

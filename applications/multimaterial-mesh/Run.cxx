@@ -64,7 +64,9 @@ CheckOutputs(const Settings & settings)
   {
     CheckImageName("--save-sizing", settings.sizingFile);
   }
-  std::vector<Name> others{ { "LABELS", settings.labels }, { "--sizing-image", settings.sizingImage } };
+  std::vector<Name> others{ { "LABELS", settings.labels },
+                            { "--sizing-image", settings.sizingImage },
+                            { "--roi", settings.roi } };
   for (const Name & output : outputs)
   {
     if (output.second.empty())
@@ -109,6 +111,7 @@ CheckPrefixes(const Settings & settings)
     const auto suffix = forZero.substr(stem.size() + 1);
     for (const auto & other : { settings.labels,
                                 settings.sizingImage,
+                                settings.roi,
                                 settings.output,
                                 settings.surface,
                                 settings.particles,
@@ -249,6 +252,7 @@ Run(Settings settings)
     WriteTextFile(settings.report, MakeReport(outcome));
   }
   WarnOfVanishedLabels(*outcome.filter);
+  WarnOfLargeTetrahedra(outcome);
   if (!settings.quiet)
   {
     PrintSummary(std::cout, outcome);

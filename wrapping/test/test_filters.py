@@ -211,3 +211,28 @@ def test_after_a_stock_filter(spheres, meshed):
     mesh = itk.label_image_to_tetrahedral_mesh_filter(cast(itk.SS))[0]
     assert itk.array_view_from_image(cast(itk.F)).max() == 2.0
     np.testing.assert_array_equal(points_of(mesh), points_of(meshed.GetOutput()))
+
+
+def test_sizes_of_labels_and_regions(spheres, meshed):
+    count = meshed.GetOutput().GetNumberOfCells()
+    finer = itk.LabelImageToTetrahedralMeshFilter.New(spheres, label_sizes="1:max=1")
+    finer.Update()
+    assert finer.GetOutput().GetNumberOfCells() > count
+    assert finer.GetLabelSizes()[1].maximum_size == 1.0
+    mask = itk.image_from_array(np.ones_like(itk.array_view_from_image(spheres), dtype=np.uint8))
+    mask.CopyInformation(spheres)
+    inside = itk.LabelImageToTetrahedralMeshFilter.New(spheres, region_of_interest=mask, region_maximum_size=1.0)
+    inside.Update()
+    assert inside.GetOutput().GetNumberOfCells() > count
+
+
+def test_expected_size_and_limit(spheres, meshed):
+    expected = meshed.GetReport().estimate.tetrahedra
+    assert expected == pytest.approx(meshed.GetOutput().GetNumberOfCells(), rel=0.5)
+    with pytest.raises(RuntimeError, match="more than the limit of 10 tetrahedra"):
+        itk.label_image_to_tetrahedral_mesh_filter(spheres, maximum_number_of_tetrahedra=10)
+
+
+def test_exterior_is_filled(spheres):
+    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, air_margin=3.0)
+    assert 0 in set(labels_of(mesh))
