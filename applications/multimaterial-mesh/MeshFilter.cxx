@@ -20,6 +20,7 @@
 #include "Errors.h"
 #include "Interruption.h"
 #include "MeshOutput.h"
+#include "itkIndicatorImagesToTetrahedralMeshFilter.h"
 
 #include "itkEventObject.h"
 
@@ -55,13 +56,10 @@ KeepSurface(MeshFilter & filter, const std::string & fileName)
   }
   return true;
 }
-} // namespace
 
-MeshFilter::Pointer
-MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+void
+Configure(MeshFilter * filter, const Settings & settings)
 {
-  auto filter = MeshFilter::New();
-  filter->SetInput(labels);
   filter->SetExteriorLabels(settings.exterior);
   filter->SetMinimumIslandSize(settings.minIsland);
   filter->SetRadius(settings.radius.value_or(MeshFilter::Automatic));
@@ -77,7 +75,29 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   {
     filter->SetSizingImage(ReadScalarImage(settings.sizingImage));
   }
+}
+} // namespace
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+{
+  auto filter = MeshFilter::New();
+  filter->SetInput(labels);
+  Configure(filter, settings);
   return filter;
+}
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const std::vector<ScalarImage::Pointer> & indicators)
+{
+  auto filter = itk::IndicatorImagesToTetrahedralMeshFilter<ScalarImage>::New();
+  for (std::size_t n = 0; n < indicators.size(); ++n)
+  {
+    filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
+  }
+  filter->SetIndicatorLabels(settings.indicatorLabels);
+  Configure(filter, settings);
+  return filter.GetPointer();
 }
 
 void

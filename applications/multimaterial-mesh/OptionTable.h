@@ -37,6 +37,7 @@ enum class Kind
   Labels,
   LabelImage,
   ScalarImage,
+  ScalarImages,
   Mesh,
   Surface,
   Particles,
@@ -67,7 +68,8 @@ struct Option
                              std::uint64_t                Settings::*,
                              std::optional<std::uint64_t> Settings::*,
                              std::string                  Settings::*,
-                             std::vector<int>             Settings::*>;
+                             std::vector<int>             Settings::*,
+                             std::vector<std::string>     Settings::*>;
 
   /** Without hyphens before it. Positional arguments are in capitals. */
   std::string name;
@@ -87,6 +89,8 @@ struct Option
   std::vector<std::string> choices{};
   /** Set by a graphical interface, without asking its user. */
   bool isHidden{ false };
+  /** Not offered by a graphical interface, which wants LABELS in any case. */
+  bool isForCommandLine{ false };
 
   bool
   IsPositional() const;

@@ -33,6 +33,10 @@ struct Settings
   std::string labels;
   std::string output;
 
+  /** In place of `labels`: a function per material, and the materials' labels, 1 to N if there are none. */
+  std::vector<std::string> indicators;
+  std::vector<int>         indicatorLabels;
+
   std::vector<int> exterior{ 0 };
   bool             exteriorIsListed{ false };
   std::uint64_t    minIsland{ 8 };
