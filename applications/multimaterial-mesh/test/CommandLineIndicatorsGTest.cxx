@@ -54,7 +54,7 @@ public:
   static double
   Ball(double radius, double distance)
   {
-    return 1.0 / (1.0 + std::exp(distance - radius));
+    return 1.0 / (1.0 + std::exp(2.0 * (distance - radius)));
   }
 
   std::string
