@@ -188,6 +188,8 @@ def draw_mesh(mesh, picture):
         clim=(-0.5, len(labels) - 0.5),
         show_edges=True,
         line_width=0.4,
+        ambient=0.4,
+        diffuse=0.65,
         show_scalar_bar=False,
     )
     plotter.camera_position = [center + mesh.length * np.array([0.25, -1.2, 0.3]), center, (0, 0, 1)]
