@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -90,7 +90,14 @@ def main():
         subprocess.run([find_program("make-head-phantom"), str(labels), "2"], check=True)
     program = find_program("multimaterial-mesh", arguments.program)
     prefix = folder / "tissue_"
-    command = [program, str(labels), str(folder / "tissues.vtu"), "--surface-only", "--surface-per-label", f"{prefix}.vtu"]
+    command = [
+        program,
+        str(labels),
+        str(folder / "tissues.vtu"),
+        "--surface-only",
+        "--surface-per-label",
+        f"{prefix}.vtu",
+    ]
     subprocess.run(command, check=True)
 
     surfaces = {}

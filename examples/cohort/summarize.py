@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -70,7 +70,9 @@ def draw(files, picture):
     for file in files:
         counts = np.array(json.loads(pathlib.Path(file).read_text())["quality"]["overall"]["dihedral_angle_histogram"])
         width = 180.0 / len(counts)
-        axes.step(np.arange(len(counts)) * width, 100.0 * counts / counts.sum(), where="post", label=pathlib.Path(file).stem)
+        axes.step(
+            np.arange(len(counts)) * width, 100.0 * counts / counts.sum(), where="post", label=pathlib.Path(file).stem
+        )
     axes.set_xlabel("dihedral angle (degrees)")
     axes.set_ylabel("percent of all")
     axes.set_xlim(0, 180)

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -37,9 +37,9 @@ def find_program(name, program=None):
     return program or shutil.which(name) or str(built)
 
 
-def mesh_labels(program, labels, output, *options):
+def mesh_images(program, images, output, *options):
     """Runs multimaterial-mesh."""
-    subprocess.run([program, str(labels), str(output), *options], check=True)
+    subprocess.run([program, *map(str, images), str(output), *options], check=True)
     return pyvista.read(output)
 
 
@@ -48,7 +48,9 @@ def solve(grid, conductivities, position, moment):
 
     conductivities: S/m by label; position in mm, within a tetrahedron; moment in A m."""
     tetrahedra = grid.cells_dict[pyvista.CellType.TETRA]
-    mesh = skfem.MeshTet(np.ascontiguousarray(grid.points.T, float) * 1e-3, np.ascontiguousarray(tetrahedra.T, np.int64))
+    mesh = skfem.MeshTet(
+        np.ascontiguousarray(grid.points.T, float) * 1e-3, np.ascontiguousarray(tetrahedra.T, np.int64)
+    )
     position = np.asarray(position, float) * 1e-3
     moment = np.asarray(moment, float)
     sigma = np.array([conductivities[label] for label in grid["label"]])

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -28,7 +28,7 @@ import subprocess
 
 import numpy as np
 import pyvista
-from forward import find_program, mesh_labels, skin_of, solve
+from forward import find_program, mesh_images, skin_of, solve
 from scipy.spatial import cKDTree
 
 CONDUCTIVITIES = {1: 0.43, 2: 0.01, 3: 1.79, 4: 0.33, 5: 0.14}  # S/m
@@ -60,7 +60,9 @@ def draw(grid, position, picture):
     half = grid.extract_cells(grid.cell_centers().points[:, 1] > position[1])
     limit = np.abs(skin["potential"]).max()
     plotter = pyvista.Plotter(off_screen=True, window_size=(1200, 600), shape=(1, 2))
-    plotter.add_mesh(skin, scalars="potential", cmap="coolwarm", clim=(-limit, limit), scalar_bar_args=bar("on the skin"))
+    plotter.add_mesh(
+        skin, scalars="potential", cmap="coolwarm", clim=(-limit, limit), scalar_bar_args=bar("on the skin")
+    )
     plotter.camera_position = [center + skin.length * np.array([0.9, -0.5, 0.9]), center, (0, 0, 1)]
     plotter.camera.zoom(0.9)
     plotter.subplot(0, 1)
@@ -92,7 +94,7 @@ def main():
     if not labels:
         labels = folder / "head.nrrd"
         subprocess.run([find_program("make-head-phantom"), str(labels), "2"], check=True)
-    grid = mesh_labels(program, labels, folder / "head-eeg.vtu", "--exterior", "0,6")
+    grid = mesh_images(program, [labels], folder / "head-eeg.vtu", "--exterior", "0,6")
     position, direction = choose_dipole(grid)
     grid["potential"] = 1e6 * solve(grid, CONDUCTIVITIES, position, MOMENT * direction)
     skin = skin_of(grid)

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -16,10 +16,11 @@
 #
 """Compares the potential of dipoles in a mesh of four concentric spheres with the known solution.
 
-usage: sphere.py [--spacing MM] [--folder out] [--program multimaterial-mesh]
+usage: sphere.py [--spacing MM] [--indicators] [--folder out] [--program multimaterial-mesh]
 
-Writes a label image of a brain, cerebrospinal fluid, a skull and a skin, meshes it, solves for radial and tangential
-dipoles at several depths, prints the errors on the skin, and draws the last of them.
+Writes a label image of a brain, cerebrospinal fluid, a skull and a skin, or an image per tissue of how far inside each
+voxel is, meshes that, solves for radial and tangential dipoles at several depths, prints the errors on the skin, and
+draws the last of them.
 """
 
 import argparse
@@ -27,7 +28,7 @@ import pathlib
 
 import numpy as np
 import pyvista
-from forward import find_program, mesh_labels, skin_of, solve
+from forward import find_program, mesh_images, skin_of, solve
 from sphere_model import surface_potential
 
 RADII = np.array([78.0, 80.0, 86.0, 92.0])  # mm
@@ -35,20 +36,41 @@ CONDUCTIVITIES = np.array([0.33, 1.79, 0.01, 0.43])  # S/m
 MOMENT = 1e-8  # A m
 
 
-def write_labels(name, spacing):
-    """Labels 1 to 4 from the inside out in an NRRD file; 0 is outside."""
+def write_image(name, values, spacing):
+    """A cube around 0, as NRRD."""
+    size = len(values)
+    origin = -0.5 * (size - 1) * spacing
+    header = (
+        f"NRRD0004\ntype: {'uchar' if values.dtype == np.uint8 else 'float'}\nendian: little\n"
+        f"dimension: 3\nsizes: {size} {size} {size}\nspace: left-posterior-superior\n"
+        f"space directions: ({spacing},0,0) (0,{spacing},0) (0,0,{spacing})\n"
+        f"space origin: ({origin},{origin},{origin})\nencoding: raw\n\n"
+    )
+    pathlib.Path(name).write_bytes(header.encode() + values.tobytes())
+
+
+def distances(spacing):
+    """How far the voxels are from 0."""
     size = 2 * int(np.ceil(RADII[-1] / spacing)) + 4
     place = (np.arange(size) - 0.5 * (size - 1)) * spacing
-    distance = np.sqrt(place[:, None, None] ** 2 + place[:, None] ** 2 + place**2)
-    layers = np.searchsorted(RADII, distance)
+    return np.sqrt(place[:, None, None] ** 2 + place[:, None] ** 2 + place**2)
+
+
+def write_labels(folder, spacing):
+    """Labels 1 to 4 from the inside out; 0 is outside. Returns the arguments of multimaterial-mesh."""
+    layers = np.searchsorted(RADII, distances(spacing))
     labels = np.where(layers < len(RADII), layers + 1, 0).astype(np.uint8)
-    header = (
-        "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
-        f"sizes: {size} {size} {size}\n"
-        f"space directions: ({spacing},0,0) (0,{spacing},0) (0,0,{spacing})\n"
-        f"space origin: ({place[0]},{place[0]},{place[0]})\nencoding: raw\n\n"
-    )
-    pathlib.Path(name).write_bytes(header.encode() + labels.tobytes())
+    write_image(folder / "spheres.nrrd", labels, spacing)
+    return [folder / "spheres.nrrd"]
+
+
+def write_indicators(folder, spacing):
+    """An image for each layer: the distance to its nearer sphere, positive inside."""
+    distance = distances(spacing)
+    files = [folder / f"sphere-{layer}.nrrd" for layer in range(1, len(RADII) + 1)]
+    for file, inner, outer in zip(files, [-np.inf, *RADII], RADII):
+        write_image(file, np.minimum(distance - inner, outer - distance).astype(np.float32), spacing)
+    return ["--indicators", *files]
 
 
 def compare(values, expected):
@@ -82,16 +104,16 @@ def draw(skin, position, picture):
 def main():
     parser = argparse.ArgumentParser(description="Compares dipoles in a mesh of spheres with the known solution.")
     parser.add_argument("--spacing", type=float, default=2.0, metavar="MM", help="of the voxels (default: %(default)s)")
+    parser.add_argument("--indicators", action="store_true", help="mesh signed distances instead of labels")
     parser.add_argument("--folder", type=pathlib.Path, default="out", help="for the files (default: %(default)s)")
     parser.add_argument("--program", help="path of multimaterial-mesh, if it is not found")
     arguments = parser.parse_args()
 
     folder = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
-    write_labels(folder / "spheres.nrrd", arguments.spacing)
-    grid = mesh_labels(
-        find_program("multimaterial-mesh", arguments.program), folder / "spheres.nrrd", folder / "spheres.vtu", "--quiet"
-    )
+    images = (write_indicators if arguments.indicators else write_labels)(folder, arguments.spacing)
+    program = find_program("multimaterial-mesh", arguments.program)
+    grid = mesh_images(program, images, folder / "spheres.vtu", "--quiet")
     print(f"{grid.n_points} points, {grid.n_cells} tetrahedra")
     volumes = 4 / 3 * np.pi * np.diff(RADII**3, prepend=0.0)
     sizes = np.abs(grid.compute_cell_sizes(length=False, area=False)["Volume"])

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -55,7 +55,10 @@ def surface_potential(points, position, moment, radii, conductivities, order=120
     along = directions @ moment - cosine * radial
 
     weights = (
-        (2 * orders + 1) / orders / layer_factors(radii, conductivities, orders) * (eccentricity / radius) ** (orders - 1)
+        (2 * orders + 1)
+        / orders
+        / layer_factors(radii, conductivities, orders)
+        * (eccentricity / radius) ** (orders - 1)
     )
     before, legendre = np.ones_like(cosine), cosine.copy()
     slope_before, slope = np.zeros_like(cosine), np.ones_like(cosine)

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -157,7 +157,9 @@ def draw_particles(particles, surface, sizing, picture):
         points = shown.points[shown["dimension"] == n]
         if len(points):
             size = 3 if n == 2 else 7
-            plotter.add_points(points, color=color, point_size=size, render_points_as_spheres=True, label=f" {DIMENSIONS[n]}")
+            plotter.add_points(
+                points, color=color, point_size=size, render_points_as_spheres=True, label=f" {DIMENSIONS[n]}"
+            )
     plotter.add_legend(bcolor="white", face="circle", size=(0.5, 0.14), loc="lower left")
     plotter.subplot(0, 1)
     plotter.add_mesh(
@@ -203,7 +205,9 @@ def draw_angles(report, picture):
     counts = np.array(quality["dihedral_angle_histogram"])
     width = 180.0 / len(counts)
     figure, axes = pyplot.subplots(figsize=(5.6, 3.2), layout="constrained")
-    axes.bar(np.arange(len(counts)) * width, 100.0 * counts / counts.sum(), width=width, align="edge", edgecolor="white")
+    axes.bar(
+        np.arange(len(counts)) * width, 100.0 * counts / counts.sum(), width=width, align="edge", edgecolor="white"
+    )
     axes.set_xlim(0, 180)
     axes.set_xlabel("dihedral angle (degrees)")
     axes.set_ylabel("percent of all")

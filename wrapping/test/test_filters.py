@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -14,7 +14,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """The filters in Python: what goes in, what comes out, and that the numbers arrive in NumPy."""
 
 import gc
