@@ -32,8 +32,9 @@ MultiMaterialMeshing_EXPORT std::vector<float>
 /** \brief Indicators, which are distances, from functions in any unit: probabilities, or other signed distances.
  *
  * The zero level of a material's indicator is where its function equals the largest of the others, between the voxels'
- * centres. A centre is on the side that the material image says; where a function says otherwise, which is so where
- * islands were merged, the voxel's largest value and that of its material change places. */
+ * centres; from those of parts of one voxel's thickness it stays away a little. A centre is on the side that the
+ * material image says; where a function says otherwise, which is so where islands were merged, the voxel's largest
+ * value and that of its material change places. */
 class MultiMaterialMeshing_EXPORT FunctionIndicators
 {
 public:
@@ -48,9 +49,19 @@ public:
 private:
   float
   Value(Material material, std::size_t voxel) const;
-  /** By how much a material's value is above the largest of the others; its sign is that of the material image. */
+  /** By how much the value of a voxel's material is above that of another, which is always positive. */
   float
-  Lead(Material material, std::size_t voxel) const;
+  Lead(std::size_t voxel, Material other) const;
+  /** How far a voxel's centre is from where, on the ways to its neighbours, a material begins or ends. 0 if none does.
+   */
+  float
+  DistanceToNeighbours(Material material, const Index & at) const;
+  /** Whether a voxel belongs to no 2 x 2 x 2 block of its material. */
+  bool
+  IsThin(const Index & at) const;
+  /** The border's voxels are continued beyond it. */
+  std::size_t
+  VoxelAt(const Index & at) const;
 
   const MaterialImage &                   m_Image;
   std::vector<std::vector<const float *>> m_Functions;

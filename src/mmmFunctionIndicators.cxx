@@ -23,6 +23,7 @@
 #include "itkMacro.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mmm
@@ -36,6 +37,10 @@ constexpr float Overshoot = 0.25f;
 constexpr int BorderContinuation = 2;
 /** The least lead, so that no voxel's centre is on an interface. */
 constexpr float LeastLead = 1e-6f;
+/** The least distance of a voxel's centre to an interface, per voxel. */
+constexpr double ShortestWay = 1e-3;
+/** Interfaces of parts of one voxel's thickness stay this far from the centres: what is thinner is lost in places. */
+constexpr float ThinMargin = 0.2f;
 } // namespace
 
 std::vector<float>
@@ -108,13 +113,88 @@ FunctionIndicators::Value(Material material, std::size_t voxel) const
 }
 
 float
-FunctionIndicators::Lead(Material material, std::size_t voxel) const
+FunctionIndicators::Lead(std::size_t voxel, Material other) const
 {
-  if (m_Image.materials[voxel] == material)
+  return std::max(m_Largest[voxel] - std::min(this->Value(other, voxel), m_Second[voxel]), LeastLead);
+}
+
+float
+FunctionIndicators::DistanceToNeighbours(Material material, const Index & at) const
+{
+  const Grid &   grid = m_Image.grid;
+  const auto     voxel = this->VoxelAt(at);
+  const Material own = m_Image.materials[voxel];
+  double         inverseSquares = 0.0;
+  const auto     isAtThinPart = [&] {
+    bool found = this->IsThin(at);
+    for (int a = 0; a < 3; ++a)
+    {
+      for (const int step : { -1, 1 })
+      {
+        Index beside = at;
+        beside[a] += step;
+        found = found || (m_Image.materials[this->VoxelAt(beside)] != own && this->IsThin(beside));
+      }
+    }
+    return found;
+  };
+  for (int a = 0; a < 3; ++a)
   {
-    return std::max(m_Largest[voxel] - m_Second[voxel], LeastLead);
+    double nearest = 2.0;
+    for (const int step : { -1, 1 })
+    {
+      Index beside = at;
+      beside[a] += step;
+      const auto     neighbour = this->VoxelAt(beside);
+      const Material other = m_Image.materials[neighbour];
+      if ((own == material) != (other == material))
+      {
+        const double lead = this->Lead(voxel, other);
+        nearest = std::min(nearest, std::max(ShortestWay, lead / (lead + this->Lead(neighbour, own))));
+      }
+    }
+    if (nearest <= 1.0)
+    {
+      inverseSquares += 1.0 / std::pow(nearest * grid.spacing[a], 2);
+    }
   }
-  return std::min(std::min(this->Value(material, voxel), m_Second[voxel]) - m_Largest[voxel], -LeastLead);
+  if (inverseSquares == 0.0)
+  {
+    return 0.0f;
+  }
+  const float distance = float(1.0 / std::sqrt(inverseSquares));
+  return distance < ThinMargin && isAtThinPart() ? ThinMargin : distance;
+}
+
+bool
+FunctionIndicators::IsThin(const Index & at) const
+{
+  const Material own = m_Image.materials[this->VoxelAt(at)];
+  for (int block = 0; block < 8; ++block)
+  {
+    bool isWhole = true;
+    for (int corner = 0; corner < 8 && isWhole; ++corner)
+    {
+      const auto along = [&](int a) { return at[a] - ((block >> a) & 1) + ((corner >> a) & 1); };
+      isWhole = m_Image.materials[this->VoxelAt(Index{ { along(0), along(1), along(2) } })] == own;
+    }
+    if (isWhole)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t
+FunctionIndicators::VoxelAt(const Index & at) const
+{
+  Index inside;
+  for (int a = 0; a < 3; ++a)
+  {
+    inside[a] = std::min(std::max(at[a], 0), m_Image.grid.size[a] - 1);
+  }
+  return m_Image.grid.Offset(inside);
 }
 
 Block<float>
@@ -133,18 +213,21 @@ FunctionIndicators::Compute(Material material, const MaterialBox & box) const
   ComputeBoxDistance(m_Image, material, levelSet);
   levelSet.SelectBand(IndicatorBandWidth);
   const auto & band = levelSet.Band();
-  ParallelFor(band.size(), Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
-    {
-      Index at = levelSet.IndexAt(band[b]);
-      for (int a = 0; a < 3; ++a)
+  // Redistance() takes the zero level from the values beside it. In a layer of one voxel these are those of both its
+  // sides, so its result is for what is further away.
+  const auto moveToInterface = [&] {
+    ParallelFor(band.size(), Grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
       {
-        at[a] = std::min(std::max(at[a], 0), grid.size[a] - 1);
+        float &     value = levelSet.Values()[band[b]];
+        const float distance = this->DistanceToNeighbours(material, levelSet.IndexAt(band[b]));
+        value = distance > 0.0f ? std::copysign(distance, value) : value;
       }
-      levelSet.Values()[band[b]] = this->Lead(material, grid.Offset(at));
-    }
-  });
+    });
+  };
+  moveToInterface();
   levelSet.Redistance();
+  moveToInterface();
 
   Block<float> indicator;
   indicator.lower = covered.lower;
