@@ -314,8 +314,13 @@ protected:
   void
   GenerateData() override;
 
-private:
   using IndicatorImagesType = std::vector<IndicatorImageType::Pointer>;
+
+  /** The indicators of GetLabels(), in that order. Everything is in the grid's unit and geometry. */
+  virtual IndicatorImagesType
+  ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
+
+private:
   using MeshFilterType = IndicatorImagesToMeshFilter<IndicatorImageType, TOutputMesh>;
 
   mmm::SizingOptions
@@ -371,8 +376,6 @@ private:
   /** The stages, one by one. */
   typename TLabelImage::Pointer
   MergeIslands(const TLabelImage * labels, mmm::FilterMonitor & monitor);
-  IndicatorImagesType
-  ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
   SizingImageType::Pointer
   ComputeSizing(const IndicatorImagesType & indicators,
                 const mmm::GridGeometry &   geometry,

@@ -290,6 +290,10 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
   auto                    labels = this->MergeIslands(this->MakeGridImage(domain, geometry), monitor);
 
   monitor.BeginStage("indicators");
+  for (const auto & entry : mmm::CountLabels(labels.GetPointer()))
+  {
+    m_Labels.push_back(entry.first);
+  }
   auto indicators = this->ComputeIndicators(labels, geometry, monitor);
   labels = nullptr;
 
@@ -544,7 +548,6 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeIndicators(c
   filter->SetRadius(geometry.ToGridUnit(m_Radius));
   this->Observe(filter, monitor);
   filter->Update();
-  m_Labels = filter->GetLabels();
   IndicatorImagesType images;
   for (const auto label : m_Labels)
   {

@@ -20,6 +20,7 @@
 #include "Errors.h"
 #include "Interruption.h"
 #include "MeshOutput.h"
+#include "itkIndicatorImagesToTetrahedralMeshFilter.h"
 
 #include "itkEventObject.h"
 
@@ -73,13 +74,10 @@ MakeMask(const LabelImage * image)
                  [](int value) { return value != 0; });
   return mask;
 }
-} // namespace
 
-MeshFilter::Pointer
-MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+void
+Configure(MeshFilter * filter, const Settings & settings)
 {
-  auto filter = MeshFilter::New();
-  filter->SetInput(labels);
   filter->SetExteriorLabels(settings.exterior);
   filter->SetFillExterior(settings.fillExterior);
   filter->SetAirMargin(settings.airMargin.value_or(MeshFilter::Automatic));
@@ -111,7 +109,29 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   {
     filter->SetRegionOfInterest(MakeMask(ReadLabelImage(settings.roi)));
   }
+}
+} // namespace
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+{
+  auto filter = MeshFilter::New();
+  filter->SetInput(labels);
+  Configure(filter, settings);
   return filter;
+}
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const std::vector<ScalarImage::Pointer> & indicators)
+{
+  auto filter = itk::IndicatorImagesToTetrahedralMeshFilter<ScalarImage>::New();
+  for (std::size_t n = 0; n < indicators.size(); ++n)
+  {
+    filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
+  }
+  filter->SetIndicatorLabels(settings.indicatorLabels);
+  Configure(filter, settings);
+  return filter.GetPointer();
 }
 
 void

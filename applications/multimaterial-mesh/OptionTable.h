@@ -38,6 +38,7 @@ enum class Kind
   LabelSizes,
   LabelImage,
   ScalarImage,
+  ScalarImages,
   Mesh,
   Surface,
   Particles,
@@ -69,7 +70,8 @@ struct Option
                              std::optional<std::uint64_t> Settings::*,
                              std::string                  Settings::*,
                              std::vector<int>             Settings::*,
-                             mmm::LabelSizeRules          Settings::*>;
+                             mmm::LabelSizeRules          Settings::*,
+                             std::vector<std::string>     Settings::*>;
 
   /** Without hyphens before it. Positional arguments are in capitals. */
   std::string name;
@@ -89,6 +91,8 @@ struct Option
   std::vector<std::string> choices{};
   /** Set by a graphical interface, without asking its user. */
   bool isHidden{ false };
+  /** Not offered by a graphical interface, which wants LABELS in any case. */
+  bool isForCommandLine{ false };
 
   bool
   IsPositional() const;

@@ -60,7 +60,15 @@ InputSection(const Outcome & outcome)
 {
   const auto size = outcome.labels->GetLargestPossibleRegion().GetSize();
   Json       section;
-  section["file"] = outcome.settings.labels;
+  if (outcome.settings.indicators.empty())
+  {
+    section["file"] = outcome.settings.labels;
+  }
+  else
+  {
+    section["indicators"] = outcome.settings.indicators;
+    section["indicator_labels"] = outcome.settings.indicatorLabels;
+  }
   section["size"] = { size[0], size[1], size[2] };
   section["spacing_mm"] = Triple(outcome.labels->GetSpacing());
   section["origin_mm"] = Triple(outcome.labels->GetOrigin());

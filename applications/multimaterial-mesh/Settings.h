@@ -36,6 +36,10 @@ struct Settings
   std::string labels;
   std::string output;
 
+  /** In place of `labels`: a function per material, and the materials' labels, 1 to N if there are none. */
+  std::vector<std::string> indicators;
+  std::vector<int>         indicatorLabels;
+
   std::vector<int>      exterior{ 0 };
   bool                  exteriorIsListed{ false };
   bool                  fillExterior{ false };

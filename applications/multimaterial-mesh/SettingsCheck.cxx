@@ -98,6 +98,19 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");
   }
+  if (settings.indicators.empty() && !settings.indicatorLabels.empty())
+  {
+    throw UsageError("--indicator-labels is for --indicators; LABELS have their own");
+  }
+  if (!settings.indicatorLabels.empty() && settings.indicatorLabels.size() != settings.indicators.size())
+  {
+    throw UsageError("--indicator-labels has " + std::to_string(settings.indicatorLabels.size()) + " labels for " +
+                     std::to_string(settings.indicators.size()) + " indicators");
+  }
+  if (!settings.indicators.empty() && settings.radius)
+  {
+    throw UsageError("--radius is for LABELS; interfaces of indicators are not smoothed");
+  }
   if (settings.surfaceOnly && !settings.surface.empty())
   {
     throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");

@@ -88,13 +88,13 @@ WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
 }
 
 void
-WarnOfVanishedLabels(const MeshFilter & filter)
+WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter)
 {
   for (const auto & [label, voxels] : filter.GetVanishedLabels())
   {
     std::ostringstream text;
-    text << "label " << label << " (" << voxels
-         << " voxels) is too thin and not in the mesh; a smaller --radius may help";
+    text << "label " << label << " (" << voxels << " voxels) is too thin and not in the mesh"
+         << (settings.indicators.empty() ? "; a smaller --radius may help" : "");
     Warn(text.str());
   }
 }

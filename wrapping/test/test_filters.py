@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -14,7 +14,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """The filters in Python: what goes in, what comes out, and that the numbers arrive in NumPy."""
 
 import gc
@@ -236,3 +236,22 @@ def test_expected_size_and_limit(spheres, meshed):
 def test_exterior_is_filled(spheres):
     mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, air_margin=3.0)
     assert 0 in set(labels_of(mesh))
+
+
+def test_takes_probability_maps():
+    z, y, x = np.mgrid[:24, :22, :20]
+    distance = np.sqrt((x - 9.3) ** 2 + (y - 10.6) ** 2 + (z - 11.4) ** 2)
+    ball = 1 / (1 + np.exp(2 * (distance - 7.0)))
+    maps = [itk.image_from_array(values.astype(np.float32)) for values in (ball * (z < 12), ball * (z >= 12))]
+    mesh, surface, particles = itk.indicator_images_to_tetrahedral_mesh_filter(*maps, indicator_labels=[4, 9])
+    assert set(labels_of(mesh)) == {4, 9}
+    assert {tuple(pair) for pair in np.asarray(surface.GetCellData())} == {(0, 4), (0, 9), (4, 9)}
+    edges = np.diff(points_of(mesh)[cells_of(mesh, 4)], axis=1)
+    volume = np.abs(np.linalg.det(edges)).sum() / 6
+    assert abs(volume / (4 / 3 * np.pi * 7.0**3) - 1) < 0.02
+
+
+def test_probability_maps_on_different_grids_are_an_error():
+    maps = [itk.image_from_array(np.random.rand(8, 8, n).astype(np.float32)) for n in (8, 9)]
+    with pytest.raises(RuntimeError, match="must be on the same grid"):
+        itk.indicator_images_to_tetrahedral_mesh_filter(*maps)
