@@ -33,18 +33,16 @@ constexpr std::size_t Grain = 512;
 constexpr double TriangleWeight = 1.0;
 /** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
 constexpr double AngleToKeep = 30.0;
-constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
-PointSmoother::PointSmoother(const IndicatorSet &             indicators,
+PointSmoother::PointSmoother(const InterfaceConstraint &      constraint,
                              Material                         exterior,
-                             const std::vector<Cell> &        cells,
                              std::vector<Vector> &            points,
                              const std::vector<Tetrahedron> & tetrahedra,
                              const std::vector<Material> &    materials)
-  : m_Indicators(indicators)
+  : m_Constraint(constraint)
   , m_Exterior(exterior)
-  , m_Cells(cells)
+  , m_Cells(constraint.Cells())
   , m_Points(points)
   , m_Tetrahedra(tetrahedra)
   , m_Materials(materials)
@@ -126,7 +124,7 @@ PointSmoother::ClassifyPoints()
     std::vector<Material> own;
     for (const Material m : m_Cells[p])
     {
-      const Material mapped = m_Indicators.IsPlane(m) ? m_Exterior : m;
+      const Material mapped = m_Constraint.MaterialOf(m);
       if (std::find(own.begin(), own.end(), mapped) == own.end())
       {
         own.push_back(mapped);
@@ -241,8 +239,7 @@ PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
 bool
 PointSmoother::Admit(PointId p, Vector & x) const
 {
-  return m_Freedom[p] != Freedom::OnCell ||
-         (m_Indicators.Project(m_Cells[p], x, 1.0) && m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance));
+  return m_Freedom[p] != Freedom::OnCell || m_Constraint.Project(p, x);
 }
 
 /** Moves p to the target, or its projection, if all around gets better than `worst`, which is brought up to date. */
@@ -342,17 +339,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   }
   if (m_Freedom[p] == Freedom::OnCell)
   {
-    const Cell & cell = m_Cells[p];
-    if (cell.Dimension() == 2)
-    {
-      const Vector normal = m_Indicators.Normal(cell, from);
-      gradient -= normal * normal.dot(gradient);
-    }
-    else if (cell.Dimension() == 1)
-    {
-      const Vector tangent = m_Indicators.Tangent(cell, from);
-      gradient = tangent * tangent.dot(gradient);
-    }
+    gradient = m_Constraint.AlongCell(p, from, gradient);
   }
   const double length = gradient.norm();
   if (!(length > 0.0))
