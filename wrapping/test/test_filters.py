@@ -211,3 +211,19 @@ def test_after_a_stock_filter(spheres, meshed):
     mesh = itk.label_image_to_tetrahedral_mesh_filter(cast(itk.SS))[0]
     assert itk.array_view_from_image(cast(itk.F)).max() == 2.0
     np.testing.assert_array_equal(points_of(mesh), points_of(meshed.GetOutput()))
+
+
+def test_optimizes_meshes(meshed):
+    mesh = meshed.GetOutput()
+    optimizer = itk.OptimizeTetrahedralMeshFilter[type(mesh)].New(mesh)
+    optimizer.SetMaximumNumberOfRounds(2)
+    optimizer.Update()
+    optimized = optimizer.GetOutput()
+    assert set(labels_of(optimized)) == set(labels_of(mesh))
+    assert optimizer.GetUsedTolerance() > 0.0
+    worst = []
+    for each in (mesh, optimized):
+        calculator = itk.TetrahedralMeshQualityCalculator[type(each)].New(Mesh=each)
+        calculator.Compute()
+        worst.append(calculator.GetMinimumDihedralAngle())
+    assert worst[1] >= worst[0] - 1e-9
