@@ -20,9 +20,12 @@
 
 #include "mmmFilterMonitor.h"
 #include "mmmIndicatorImages.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include <algorithm>
+#include <new>
+#include <string>
 
 namespace itk
 {
@@ -149,6 +152,7 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateInput
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData()
+try
 {
   this->AllocateOutputs();
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
@@ -169,6 +173,10 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData(
   std::transform(sizing.begin(), sizing.end(), this->GetOutput()->GetBufferPointer(), [&](float size) {
     return static_cast<SizeType>(size * geometry.GetUnit());
   });
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()));
 }
 
 template <typename TIndicatorImage, typename TSizingImage>

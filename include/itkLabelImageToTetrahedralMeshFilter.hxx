@@ -21,13 +21,16 @@
 #include "itkIndicatorImagesToSizingImageFilter.h"
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include "itkPrintHelper.h"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
+#include <string>
 
 namespace itk
 {
@@ -194,6 +197,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateOutputReque
 template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
+try
 {
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
@@ -246,6 +250,10 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
     m_IndicatorImages = std::move(indicators);
     m_ComputedSizingImage = sizing;
   }
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
 }
 
 template <typename TLabelImage, typename TOutputMesh>

@@ -19,12 +19,15 @@
 #define itkOptimizeTetrahedralMeshFilter_hxx
 
 #include "mmmMeshConversion.h"
+#include "mmmOutOfMemory.h"
 #include "mmmTetrahedraOfMesh.h"
 
 #include "itkTetrahedronCell.h"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string>
 
 namespace itk
 {
@@ -42,6 +45,7 @@ OptimizeTetrahedralMeshFilter<TMesh>::VerifyPreconditions() const
 template <typename TMesh>
 void
 OptimizeTetrahedralMeshFilter<TMesh>::GenerateData()
+try
 {
   mmm::FilterMonitor monitor(
     this, m_StageLog, { { "reading", 0.02 }, { "interfaces", 0.05 }, { "optimization", 0.91 }, { "output", 0.02 } });
@@ -91,6 +95,10 @@ OptimizeTetrahedralMeshFilter<TMesh>::GenerateData()
   mmm::SetMeshCellData(output, std::move(outputLabels));
   output->SetBufferedRegion(output->GetRequestedRegion());
   monitor.Report(1.0);
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
 }
 
 template <typename TMesh>

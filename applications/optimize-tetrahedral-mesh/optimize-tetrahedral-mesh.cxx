@@ -22,8 +22,9 @@
 #include "itkGmshMeshIO.h"
 #include "itkMeditMeshIO.h"
 #include "itkOptimizeTetrahedralMeshFilter.h"
-#include "itkTetrahedralMeshQualityCalculator.h"
 #include "itkVTUMeshIO.h"
+#include "mmmMeshQuality.h"
+#include "mmmTetrahedraOfMesh.h"
 
 #include "itkMeshFileReader.h"
 #include "itkMeshFileWriter.h"
@@ -31,6 +32,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
@@ -85,13 +87,13 @@ MakeIO(const std::string & fileName)
   throw CLI::ValidationError("'" + fileName + "' is none of .vtu, .msh (Gmsh) and .mesh (Medit)");
 }
 
+/** Cells other than tetrahedra do not count. */
 void
 PrintQuality(const char * title, const Mesh * mesh)
 {
-  const auto calculator = itk::TetrahedralMeshQualityCalculator<Mesh>::New();
-  calculator->SetMesh(mesh);
-  calculator->Compute();
-  const auto & quality = calculator->GetReport().tetrahedra;
+  using Tetrahedra = mmm::TetrahedraOfMesh<Mesh>;
+  const Tetrahedra contents(mesh, Tetrahedra::OtherCells::LeaveOut);
+  const auto       quality = mmm::ComputeMeshQuality(contents.points, contents.tetrahedra, contents.labels).tetrahedra;
   std::cout << std::fixed << title << quality.count << " tetrahedra, radius ratio " << std::setprecision(3)
             << quality.radiusRatio.average << " on average, dihedral angles " << std::setprecision(1)
             << quality.smallestAngle.minimum << " to " << quality.largestAngle << " degrees, " << quality.below[1]
@@ -116,21 +118,14 @@ Optimize(const Settings & settings)
   filter->SetTolerance(settings.tolerance);
   filter->SetFeatureAngle(settings.featureAngle);
   filter->SetMaximumNumberOfRounds(settings.rounds);
-  const auto optionalMesh = [&] {
-    // without a mesh of tetrahedra alone there is nothing to compare with
-    return filter->GetNumberOfCellsLeftOut() == 0 ? reader->GetOutput() : nullptr;
-  };
   filter->Update();
   if (!settings.quiet)
   {
-    if (const Mesh * const input = optionalMesh())
-    {
-      PrintQuality("before: ", input);
-    }
-    else
+    if (filter->GetNumberOfCellsLeftOut() > 0)
     {
       std::cout << "left out: " << filter->GetNumberOfCellsLeftOut() << " cells of lower dimension" << std::endl;
     }
+    PrintQuality("before: ", reader->GetOutput());
     PrintQuality("after: ", filter->GetOutput());
     std::cout << "tolerance: " << std::defaultfloat << std::setprecision(3) << filter->GetUsedTolerance() << std::endl;
   }
