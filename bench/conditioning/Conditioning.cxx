@@ -27,6 +27,7 @@
 
 #include ITK_EIGEN(Sparse)
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -37,6 +38,9 @@ namespace
 using Mesh = itk::LabelTetrahedralMesh;
 using Tetrahedra = mmm::TetrahedraOfMesh<Mesh>;
 using Matrix = Eigen::SparseMatrix<double>;
+
+/** The share of the height where the current enters, and where it leaves. */
+constexpr double EndShare = 0.05;
 
 /** Conductivity 1 in one label, `contrast` in all others. */
 Matrix
@@ -72,15 +76,15 @@ AssembleStiffness(const Tetrahedra & mesh, int poorConductor, double contrast)
   return stiffness;
 }
 
-/** Fixes the potential of a point, and of points that no tetrahedron uses, at 0. */
+/** Fixes the potential of points at 0. */
 void
-Ground(Matrix & stiffness, Eigen::Index ground)
+Ground(Matrix & stiffness, const std::vector<char> & isGround)
 {
   for (Eigen::Index column = 0; column < stiffness.outerSize(); ++column)
   {
     for (Matrix::InnerIterator entry(stiffness, column); entry; ++entry)
     {
-      if (entry.row() == ground || entry.col() == ground)
+      if (isGround[entry.row()] || isGround[entry.col()])
       {
         entry.valueRef() = entry.row() == entry.col() ? 1.0 : 0.0;
       }
@@ -97,21 +101,40 @@ Measure(const std::string & fileName, int poorConductor, double contrast)
   reader->Update();
   const Tetrahedra mesh(reader->GetOutput(), Tetrahedra::OtherCells::LeaveOut);
 
-  Matrix      stiffness = AssembleStiffness(mesh, poorConductor, contrast);
-  const auto  lower = [&mesh](std::size_t a, std::size_t b) { return mesh.points[a][2] < mesh.points[b][2]; };
-  std::size_t lowest = mesh.tetrahedra.front()[0];
-  std::size_t highest = lowest;
+  Matrix stiffness = AssembleStiffness(mesh, poorConductor, contrast);
+  // what the current enters and leaves by must not depend on the mesh: the upper and the lower end of the body
+  double lowest = 1e300;
+  double highest = -1e300;
   for (const auto & corners : mesh.tetrahedra)
   {
-    for (const std::size_t p : corners)
+    for (const auto p : corners)
     {
-      lowest = lower(p, lowest) ? p : lowest;
-      highest = lower(highest, p) ? p : highest;
+      lowest = std::min(lowest, mesh.points[p][2]);
+      highest = std::max(highest, mesh.points[p][2]);
     }
   }
-  Ground(stiffness, Eigen::Index(lowest));
+  const double      margin = EndShare * (highest - lowest);
+  std::vector<char> isGround(mesh.points.size());
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    isGround[p] = mesh.points[p][2] < lowest + margin;
+  }
+  Ground(stiffness, isGround);
   Eigen::VectorXd current = Eigen::VectorXd::Zero(stiffness.rows());
-  current[Eigen::Index(highest)] = 1.0;
+  for (const auto & c : mesh.tetrahedra)
+  {
+    const double z = 0.25 * (mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]] + mesh.points[c[3]])[2];
+    if (z > highest - margin)
+    {
+      const double volume =
+        mmm::TetrahedronVolume(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]], mesh.points[c[3]]);
+      for (const auto p : c)
+      {
+        current[p] += std::abs(volume) / 4.0;
+      }
+    }
+  }
+  current /= current.sum();
 
   using Solver = Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Eigen::DiagonalPreconditioner<double>>;
   Solver solver;
@@ -122,7 +145,7 @@ Measure(const std::string & fileName, int poorConductor, double contrast)
   const double          seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   std::cout << fileName << ": " << mesh.points.size() << " points, " << mesh.tetrahedra.size() << " tetrahedra, "
             << solver.iterations() << " iterations in " << seconds << " s, relative residual " << solver.error()
-            << ", potential " << potential[Eigen::Index(highest)] << std::endl;
+            << ", resistance " << potential.dot(current) << std::endl;
 }
 } // namespace
 
