@@ -74,8 +74,8 @@ public:
 
   itkConceptMacro(PointDimensionCheck, (Concept::SameDimension<TMesh::PointDimension, 3>));
 
-  /** How far an interface may leave its place, in the mesh's unit, positive. Default: Automatic, a tenth of the mean
-   * edge length of the interfaces. */
+  /** How far an interface may leave its place, in the mesh's unit, positive. Default: Automatic, 0.07 of
+   * the length of the edges there. */
   itkSetMacro(Tolerance, double);
   itkGetConstMacro(Tolerance, double);
 
@@ -90,8 +90,8 @@ public:
 
   /** What follows is known after Update(). */
 
-  /** The tolerance that was used. */
-  itkGetConstMacro(UsedTolerance, double);
+  /** The largest tolerance that was used. */
+  itkGetConstMacro(LargestTolerance, double);
   /** What was done. */
   itkGetConstReferenceMacro(Report, mmm::OptimizationReport);
   /** Cells of lower dimension, which were left out. */
@@ -114,7 +114,7 @@ private:
   double        m_Tolerance{ Automatic };
   double        m_FeatureAngle{ 40.0 };
   int           m_MaximumNumberOfRounds{ 10 };
-  double        m_UsedTolerance{ 0.0 };
+  double        m_LargestTolerance{ 0.0 };
   SizeValueType m_NumberOfCellsLeftOut{ 0 };
 
   mmm::OptimizationReport m_Report;

@@ -79,7 +79,7 @@ try
   parameters.featureAngle = m_FeatureAngle;
   parameters.rounds = m_MaximumNumberOfRounds;
   m_Report = mmm::ImproveMesh(static_cast<mmm::Material>(labels.size()), parameters, input.points, mesh, monitor);
-  m_UsedTolerance = parameters.tolerance;
+  m_LargestTolerance = parameters.tolerance;
 
   monitor.BeginStage("output");
   TMesh *                                    output = this->GetOutput();
@@ -109,7 +109,7 @@ OptimizeTetrahedralMeshFilter<TMesh>::PrintSelf(std::ostream & os, Indent indent
   os << indent << "Tolerance: " << m_Tolerance << std::endl;
   os << indent << "FeatureAngle: " << m_FeatureAngle << std::endl;
   os << indent << "MaximumNumberOfRounds: " << m_MaximumNumberOfRounds << std::endl;
-  os << indent << "UsedTolerance: " << m_UsedTolerance << std::endl;
+  os << indent << "LargestTolerance: " << m_LargestTolerance << std::endl;
   os << indent << "NumberOfCellsLeftOut: " << m_NumberOfCellsLeftOut << std::endl;
 }
 } // namespace itk

@@ -31,7 +31,7 @@ constexpr std::size_t MostMaterialsToImprove = 30000;
 struct ImprovementParameters
 {
   /** How far an interface may leave the place that it has at first, in the points' unit; automatic if it is not a
-   * number: a tenth of the mean edge length of the interfaces. */
+   * number: 0.07 of the edge length there. */
   double tolerance{ std::numeric_limits<double>::quiet_NaN() };
   /** Edges of interfaces at which the normals differ by more, in degrees, are creases, which stay. */
   double featureAngle{ 40.0 };
@@ -42,7 +42,7 @@ struct ImprovementParameters
  *
  * Materials are below `outside`, which stands for what is beyond the mesh. Tetrahedra are turned to positive
  * orientation first. Points that no tetrahedron uses, at first or any more, are dropped; all others keep their order.
- * Returns what was done; `parameters.tolerance` becomes the one that was used. */
+ * Returns what was done; `parameters.tolerance` becomes the largest one that was used. */
 MultiMaterialMeshing_EXPORT OptimizationReport
 ImproveMesh(Material                outside,
             ImprovementParameters & parameters,

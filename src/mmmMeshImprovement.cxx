@@ -17,19 +17,14 @@
  *=========================================================================*/
 #include "mmmMeshImprovement.h"
 
-#include "mmmInterfaceMesh.h"
 #include "mmmTriangulationConstraint.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mmm
 {
 namespace
 {
-/** The automatic tolerance, in units of the mean edge length of the interfaces. */
-constexpr double ToleranceOfEdges = 0.1;
-
 void
 TurnToPositive(const std::vector<Vector> & points, TetrahedralMesh & mesh)
 {
@@ -40,20 +35,6 @@ TurnToPositive(const std::vector<Vector> & points, TetrahedralMesh & mesh)
       std::swap(t[2], t[3]);
     }
   }
-}
-
-double
-MeanEdgeLength(const std::vector<Vector> & points, const std::vector<Triangle> & triangles)
-{
-  double sum = 0.0;
-  for (const auto & triangle : triangles)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      sum += (points[triangle[c]] - points[triangle[(c + 1) % 3]]).norm();
-    }
-  }
-  return triangles.empty() ? 0.0 : sum / (3.0 * double(triangles.size()));
 }
 
 void
@@ -112,17 +93,14 @@ ImproveMesh(Material                outside,
 {
   monitor.BeginStage("interfaces");
   TurnToPositive(points, mesh);
-  if (std::isnan(parameters.tolerance))
-  {
-    parameters.tolerance = ToleranceOfEdges * MeanEdgeLength(points, ExtractInterfaces(mesh, outside).triangles);
-  }
   const TriangulationConstraint constraint(points, mesh, outside, parameters.tolerance, parameters.featureAngle);
+  parameters.tolerance = constraint.LargestTolerance();
   monitor.Report(1.0);
 
   monitor.BeginStage("optimization");
   OptimizationParameters optimization;
   optimization.rounds = parameters.rounds;
-  optimization.interfaceTolerance = parameters.tolerance;
+  optimization.interfaceTolerance = 1.0;
   const auto report = OptimizeMesh(constraint, outside, optimization, points, mesh, monitor);
   DropMaterial(outside, mesh);
   DropUnusedPoints(points, mesh);

@@ -34,6 +34,14 @@ constexpr double LeastAlignment = 0.3;
 /** How far from a chord towards the mean of its ends' tangents: half of the way is on the circle. */
 constexpr double Roundness = 0.5;
 
+Vector
+RoundOff(const Vector & chord, const Vector & tangents, double tolerance)
+{
+  const Vector rise = Roundness * (tangents - chord);
+  const double height = rise.norm();
+  return chord + (height > tolerance ? tolerance / height : 1.0) * rise;
+}
+
 double
 ReachOf(double tolerance, double cosine, double longest)
 {
@@ -62,6 +70,12 @@ TriangulationConstraint::TriangulationConstraint(const std::vector<Vector> & poi
   this->FindCurves();
 }
 
+double
+TriangulationConstraint::ToleranceAt(double edgeLength) const
+{
+  return std::isnan(m_Tolerance) ? ToleranceOfEdges * edgeLength : m_Tolerance;
+}
+
 /** Triangles of the same two materials are one patch where they meet smoothly; all other edges are seams. */
 void
 TriangulationConstraint::FindPatches()
@@ -70,12 +84,20 @@ TriangulationConstraint::FindPatches()
   std::vector<TriangleTree::Corners> corners(triangles.size());
   m_Normals.resize(triangles.size());
   m_CornerNormals.resize(triangles.size());
+  m_Tolerances.resize(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     for (int c = 0; c < 3; ++c)
     {
       corners[t][c] = m_Points[triangles[t][c]];
     }
+    double length = 0.0;
+    for (int c = 0; c < 3; ++c)
+    {
+      length += (corners[t][c] - corners[t][(c + 1) % 3]).norm() / 3.0;
+    }
+    m_Tolerances[t] = this->ToleranceAt(length);
+    m_LargestTolerance = std::max(m_LargestTolerance, m_Tolerances[t]);
     m_Normals[t] = (corners[t][1] - corners[t][0]).cross(corners[t][2] - corners[t][0]).normalized();
   }
 
@@ -252,7 +274,7 @@ TriangulationConstraint::ClassifyPoints()
         cosine = std::min(cosine, home.direction.dot(m_Normals[*t]));
       }
       home.part = m_Patches[*first];
-      home.reach = ReachOf(m_Tolerance, cosine, LongestSlide * lengths);
+      home.reach = ReachOf(this->ToleranceAt(lengths), cosine, LongestSlide * lengths);
       continue;
     }
     if (count == 2 && m_Seams[seams[0]].triangles == m_Seams[seams[1]].triangles && m_Seams[seams[0]].triangles <= 3)
@@ -267,8 +289,8 @@ TriangulationConstraint::ClassifyPoints()
       {
         home.direction = (one.normalized() - two.normalized()).normalized();
         home.part = seams[0];
-        home.reach =
-          ReachOf(m_Tolerance, home.direction.dot(one.normalized()), LongestSlide * 0.5 * (one.norm() + two.norm()));
+        const double length = 0.5 * (one.norm() + two.norm());
+        home.reach = ReachOf(this->ToleranceAt(length), home.direction.dot(one.normalized()), LongestSlide * length);
         if (m_Cells[p].count == 2)
         {
           m_Cells[p].Join(Cell{ this->CreaseOf(m_Cells[p].materials[0]) });
@@ -312,14 +334,6 @@ TriangulationConstraint::FindCurves()
   m_SeamTree = std::make_unique<TriangleTree>(std::move(segments));
 }
 
-Vector
-TriangulationConstraint::WithinTolerance(const Vector & chord, const Vector & curved) const
-{
-  const Vector rise = Roundness * (curved - chord);
-  const double height = rise.norm();
-  return chord + (height > m_Tolerance ? m_Tolerance / height : 1.0) * rise;
-}
-
 /** Where a point of a triangle would be if the triangle were as curved as its corners' normals say. */
 Vector
 TriangulationConstraint::OnCurvedTriangle(std::uint32_t triangle, const Vector & x) const
@@ -337,7 +351,7 @@ TriangulationConstraint::OnCurvedTriangle(std::uint32_t triangle, const Vector &
     curved += weight * (x - tangentNormal * tangentNormal.dot(x - corner));
     total += weight;
   }
-  return total > 0.0 ? this->WithinTolerance(x, curved / total) : x;
+  return total > 0.0 ? RoundOff(x, curved / total, m_Tolerances[triangle]) : x;
 }
 
 Vector
@@ -354,7 +368,7 @@ TriangulationConstraint::OnCurvedSeam(std::uint32_t seam, const Vector & x) cons
     const Vector  tangent = m_Cells[p].Dimension() == 1 ? m_Homes[p].direction : Vector(chord.normalized());
     curved += (e == 0 ? 1.0 - share : share) * (m_Points[p] + tangent * tangent.dot(x - m_Points[p]));
   }
-  return this->WithinTolerance(x, curved);
+  return RoundOff(x, curved, this->ToleranceAt(chord.norm()));
 }
 
 bool
@@ -391,8 +405,8 @@ double
 TriangulationConstraint::DistanceToInterface(Material a, Material b, const Vector & x, PointId) const
 {
   const std::array<Material, 2> sides{ { std::min(a, b), std::max(a, b) } };
-  const auto                    nearest =
-    m_TriangleTree->FindNearest(x, 4.0 * m_Tolerance, [&](std::uint32_t t) { return m_Interfaces.sides[t] == sides; });
-  return nearest.triangle == TriangleTree::None ? 1e30 : nearest.distance;
+  const auto                    nearest = m_TriangleTree->FindNearest(
+    x, 4.0 * m_LargestTolerance, [&](std::uint32_t t) { return m_Interfaces.sides[t] == sides; });
+  return nearest.triangle == TriangleTree::None ? 1e30 : nearest.distance / m_Tolerances[nearest.triangle];
 }
 } // namespace mmm

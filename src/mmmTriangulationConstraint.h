@@ -31,11 +31,17 @@ namespace mmm
  * Points slide on the triangles around them up to the next crease, and along creases and junctions of three materials;
  * other points of interfaces do not move. Triangles and edges are taken as chords of what is curved: a point between
  * their corners lies off them as the normals there say (Phong tessellation), by the tolerance at most. Without that,
- * what is convex would shrink. A crease is an edge where the normals differ by more than `featureAngle`, in degrees. */
+ * what is convex would shrink. A crease is an edge where the normals differ by more than `featureAngle`, in degrees.
+ *
+ * Distances to interfaces are in units of the tolerance there. */
 class TriangulationConstraint : public InterfaceConstraint
 {
 public:
-  /** Materials are below `outside`, which stands for what is beyond the mesh. */
+  /** The tolerance where edges are this long, if it is automatic. */
+  static constexpr double ToleranceOfEdges = 0.07;
+
+  /** Materials are below `outside`, which stands for what is beyond the mesh. The tolerance is automatic if it is not a
+   * number. */
   TriangulationConstraint(const std::vector<Vector> & points,
                           const TetrahedralMesh &     mesh,
                           Material                    outside,
@@ -53,6 +59,12 @@ public:
   AlongCell(PointId p, const Vector & x, const Vector & direction) const override;
   double
   DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const override;
+
+  double
+  LargestTolerance() const
+  {
+    return m_LargestTolerance;
+  }
 
 private:
   /** Where a point on a surface or a curve was at first, the normal or the tangent there, the patch of triangles or the
@@ -95,23 +107,26 @@ private:
   OnCurvedTriangle(std::uint32_t triangle, const Vector & x) const;
   Vector
   OnCurvedSeam(std::uint32_t seam, const Vector & x) const;
-  Vector
-  WithinTolerance(const Vector & chord, const Vector & curved) const;
+  double
+  ToleranceAt(double edgeLength) const;
 
   const Material            m_Outside;
   const double              m_Tolerance;
   const double              m_LeastCosine;
+  double                    m_LargestTolerance{ 0.0 };
   const std::vector<Vector> m_Points;
   InterfaceMesh             m_Interfaces;
   std::vector<Vector>       m_Normals;
   /** At the corners of each triangle, those of its patch. */
   std::vector<std::array<Vector, 3>> m_CornerNormals;
-  std::vector<std::uint32_t>         m_Patches;
-  std::vector<Seam>                  m_Seams;
-  std::vector<std::uint32_t>         m_Curves;
-  std::vector<Home>                  m_Homes;
-  std::unique_ptr<TriangleTree>      m_TriangleTree;
-  std::unique_ptr<TriangleTree>      m_SeamTree;
+  /** Of triangles. */
+  std::vector<double>           m_Tolerances;
+  std::vector<std::uint32_t>    m_Patches;
+  std::vector<Seam>             m_Seams;
+  std::vector<std::uint32_t>    m_Curves;
+  std::vector<Home>             m_Homes;
+  std::unique_ptr<TriangleTree> m_TriangleTree;
+  std::unique_ptr<TriangleTree> m_SeamTree;
 };
 } // namespace mmm
 

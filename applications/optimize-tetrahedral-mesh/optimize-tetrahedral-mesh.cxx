@@ -127,7 +127,8 @@ Optimize(const Settings & settings)
     }
     PrintQuality("before: ", reader->GetOutput());
     PrintQuality("after: ", filter->GetOutput());
-    std::cout << "tolerance: " << std::defaultfloat << std::setprecision(3) << filter->GetUsedTolerance() << std::endl;
+    std::cout << "tolerance, at most: " << std::defaultfloat << std::setprecision(3) << filter->GetLargestTolerance()
+              << std::endl;
   }
 
   writer->SetInput(filter->GetOutput());
@@ -151,7 +152,7 @@ main(int argc, char * argv[])
   parser
     .add_option("--tolerance",
                 settings.tolerance,
-                "How far interfaces may leave their place, in the mesh's unit [a tenth of the mean edge length]")
+                "How far interfaces may leave their place, in the mesh's unit [0.07 of the edges' length there]")
     ->type_name("D")
     ->check(CLI::PositiveNumber);
   parser.add_option("--feature-angle", settings.featureAngle, "Edges of interfaces that are sharper stay, in degrees")
