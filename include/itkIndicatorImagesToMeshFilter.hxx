@@ -21,6 +21,7 @@
 #include "mmmIndicatorImages.h"
 #include "mmmInterfaceLabels.h"
 #include "mmmMeshConversion.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include "itkPrintHelper.h"
@@ -29,7 +30,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <sstream>
+#include <string>
 
 namespace itk
 {
@@ -211,6 +214,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateOutputRequest
 template <typename TIndicatorImage, typename TOutputMesh>
 void
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
+try
 {
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
@@ -259,6 +263,10 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
   this->FillSurfaceAndParticles(result, outputGeometry);
   this->FillTetrahedra(result, outputGeometry);
   monitor.Report(1.0);
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

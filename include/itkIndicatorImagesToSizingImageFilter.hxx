@@ -20,12 +20,15 @@
 
 #include "mmmFilterMonitor.h"
 #include "mmmIndicatorImages.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include "itkPrintHelper.h"
 
 #include <algorithm>
+#include <new>
 #include <numeric>
+#include <string>
 
 namespace itk
 {
@@ -229,6 +232,7 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateInput
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData()
+try
 {
   this->AllocateOutputs();
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
@@ -248,6 +252,10 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData(
   std::transform(sizing.begin(), sizing.end(), this->GetOutput()->GetBufferPointer(), [&](float size) {
     return static_cast<SizeType>(size * geometry.GetUnit());
   });
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()));
 }
 
 template <typename TIndicatorImage, typename TSizingImage>

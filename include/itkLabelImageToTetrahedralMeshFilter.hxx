@@ -22,6 +22,7 @@
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
 #include "mmmImageRegions.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include "itkImageRegionConstIterator.h"
@@ -29,7 +30,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
+#include <string>
 
 namespace itk
 {
@@ -250,6 +253,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateOutputReque
 template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
+try
 {
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
@@ -313,6 +317,10 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
     m_IndicatorImages = std::move(indicators);
     m_ComputedSizingImage = sizing;
   }
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
 }
 
 template <typename TLabelImage, typename TOutputMesh>

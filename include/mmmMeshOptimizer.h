@@ -25,6 +25,8 @@
 
 namespace mmm
 {
+class InterfaceConstraint;
+
 struct OptimizationParameters
 {
   /** Tetrahedra with a dihedral angle below this, in degrees, are poor: all is done to improve them, on interfaces too.
@@ -63,6 +65,15 @@ MultiMaterialMeshing_EXPORT OptimizationReport
 OptimizeMesh(const IndicatorSet &           indicators,
              Material                       exterior,
              const std::vector<Cell> &      cells,
+             const OptimizationParameters & parameters,
+             std::vector<Vector> &          points,
+             TetrahedralMesh &              mesh,
+             Monitor &                      monitor);
+
+/** The same, with the points of interfaces where a constraint wants them. */
+OptimizationReport
+OptimizeMesh(const InterfaceConstraint &    constraint,
+             Material                       exterior,
              const OptimizationParameters & parameters,
              std::vector<Vector> &          points,
              TetrahedralMesh &              mesh,

@@ -19,6 +19,7 @@
 
 #include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
+#include "mmmIndicatorConstraint.h"
 #include "mmmMeshOptimizerSmoothing.h"
 #include "mmmSideChanger.h"
 #include "mmmTriangleLookup.h"
@@ -185,23 +186,35 @@ OptimizeMesh(const IndicatorSet &           indicators,
              TetrahedralMesh &              mesh,
              Monitor &                      monitor)
 {
+  return OptimizeMesh(IndicatorConstraint(indicators, exterior, cells), exterior, parameters, points, mesh, monitor);
+}
+
+OptimizationReport
+OptimizeMesh(const InterfaceConstraint &    constraint,
+             Material                       exterior,
+             const OptimizationParameters & parameters,
+             std::vector<Vector> &          points,
+             TetrahedralMesh &              mesh,
+             Monitor &                      monitor)
+{
   OptimizationReport report;
   const double       flipQuality = QualityOfAngle(parameters.flipAngle);
   const double       poorQuality = QualityOfAngle(parameters.poorAngle);
-  report.moves += PointSmoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials).SmoothAll();
+  report.moves += PointSmoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials).SmoothAll();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
     std::size_t changes = 0;
     {
-      OptimizerState state{ indicators, exterior, cells, parameters, points, TetrahedralComplex(mesh, points.size()),
+      OptimizerState state{ constraint, exterior, constraint.Cells(),
+                            parameters, points,   TetrahedralComplex(mesh, points.size()),
                             report };
       ConnectivityImprover improver(state);
       changes = improver.ImproveTriangles(parameters.poorTriangle);
       changes += improver.Improve(flipQuality, poorQuality);
       mesh = state.complex.GetMesh();
     }
-    PointSmoother smoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials);
+    PointSmoother smoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.rounds = round + 1;

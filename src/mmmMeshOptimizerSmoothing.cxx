@@ -41,18 +41,16 @@ WorthOfTriangle(double radiusRatio)
 constexpr double AngleToKeep = 30.0;
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
 constexpr double AngleToLeaveCell = 10.0;
-constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
-PointSmoother::PointSmoother(const IndicatorSet &             indicators,
+PointSmoother::PointSmoother(const InterfaceConstraint &      constraint,
                              Material                         exterior,
-                             const std::vector<Cell> &        cells,
                              std::vector<Vector> &            points,
                              const std::vector<Tetrahedron> & tetrahedra,
                              const std::vector<Material> &    materials)
-  : m_Indicators(indicators)
+  : m_Constraint(constraint)
   , m_Exterior(exterior)
-  , m_Cells(cells)
+  , m_Cells(constraint.Cells())
   , m_Points(points)
   , m_Tetrahedra(tetrahedra)
   , m_Materials(materials)
@@ -134,7 +132,7 @@ PointSmoother::ClassifyPoints()
     std::vector<Material> own;
     for (const Material m : m_Cells[p])
     {
-      const Material mapped = m_Indicators.IsPlane(m) ? m_Exterior : m;
+      const Material mapped = m_Constraint.MaterialOf(m);
       if (std::find(own.begin(), own.end(), mapped) == own.end())
       {
         own.push_back(mapped);
@@ -253,15 +251,15 @@ PointSmoother::Admit(PointId p, Vector & x, double slack) const
   {
     return true;
   }
-  const Cell & cell = m_Cells[p];
-  Vector       onCell = x;
-  if (!m_Indicators.Project(cell, onCell, 1.0) || !m_Indicators.IsMaximal(cell, onCell, MaximalityTolerance))
+  Vector onCell = x;
+  if (!m_Constraint.Project(p, onCell))
   {
     return false;
   }
-  if (std::any_of(cell.begin(), cell.end(), [this](Material m) { return m_Indicators.IsPlane(m); }))
+  const Cell & cell = m_Cells[p];
+  if (std::any_of(cell.begin(), cell.end(), [this](Material m) { return m_Constraint.MaterialOf(m) != m; }))
   {
-    slack = 0.0;
+    slack = 0.0; // borders and creases are sharp
   }
   const double distance = (x - onCell).norm();
   x = distance > slack ? Vector(onCell + slack / distance * (x - onCell)) : x;
@@ -366,17 +364,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   }
   if (m_Freedom[p] == Freedom::OnCell)
   {
-    const Cell & cell = m_Cells[p];
-    if (cell.Dimension() == 2)
-    {
-      const Vector normal = m_Indicators.Normal(cell, from);
-      gradient -= normal * normal.dot(gradient);
-    }
-    else if (cell.Dimension() == 1)
-    {
-      const Vector tangent = m_Indicators.Tangent(cell, from);
-      gradient = tangent * tangent.dot(gradient);
-    }
+    gradient = m_Constraint.AlongCell(p, from, gradient);
   }
   const double length = gradient.norm();
   if (!(length > 0.0))

@@ -20,6 +20,7 @@
 
 #include "mmmIncidence.h"
 #include "mmmIndicatorSet.h"
+#include "mmmInterfaceConstraint.h"
 #include "mmmTetrahedralMesh.h"
 
 #include <cstdint>
@@ -68,9 +69,8 @@ public:
     Free
   };
 
-  PointSmoother(const IndicatorSet &             indicators,
+  PointSmoother(const InterfaceConstraint &      constraint,
                 Material                         exterior,
-                const std::vector<Cell> &        cells,
                 std::vector<Vector> &            points,
                 const std::vector<Tetrahedron> & tetrahedra,
                 const std::vector<Material> &    materials);
@@ -85,7 +85,7 @@ public:
   /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
    * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
   std::size_t
-  BalanceVolumes();
+  BalanceVolumes(const IndicatorSet & indicators);
 
 private:
   void
@@ -116,11 +116,11 @@ private:
   bool
   TryMove(PointId p, const Vector & target, double slack, double & worst);
   double
-  MeanGap(PointId p) const;
+  MeanGap(const IndicatorSet & indicators, PointId p) const;
   double
   WorstTriangleAround(PointId p, const Vector & x) const;
 
-  const IndicatorSet &             m_Indicators;
+  const InterfaceConstraint &      m_Constraint;
   const Material                   m_Exterior;
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;

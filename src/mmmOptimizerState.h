@@ -18,6 +18,7 @@
 #ifndef mmmOptimizerState_h
 #define mmmOptimizerState_h
 
+#include "mmmInterfaceConstraint.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmTetrahedralComplex.h"
 
@@ -44,7 +45,7 @@ struct OptimizerState
   static double
   EnoughBesideTriangles(double before);
 
-  const IndicatorSet &           indicators;
+  const InterfaceConstraint &    constraint;
   const Material                 exterior;
   const std::vector<Cell> &      cells;
   const OptimizationParameters & parameters;
@@ -70,10 +71,11 @@ struct OptimizerState
   double
   WorstOf(const std::vector<Id> & tetrahedra) const;
 
-  /** How far the interface of two materials is from a point on it, in units of the smallest voxel spacing. `corner` is
-   * a particle beside it. */
   double
-  DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const;
+  DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const
+  {
+    return constraint.DistanceToInterface(a, b, x, corner);
+  }
 };
 } // namespace mmm
 

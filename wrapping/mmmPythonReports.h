@@ -223,6 +223,18 @@ ToPython(const LabelQuality & quality)
 }
 
 inline PyObject *
+ToPython(const PoorTetrahedron & tetrahedron)
+{
+  const std::array<double, 3> center{ { tetrahedron.center[0], tetrahedron.center[1], tetrahedron.center[2] } };
+  return MakeNamespace({ { "index", ToPython(tetrahedron.index) },
+                         { "label", ToPython(tetrahedron.label) },
+                         { "place", ToPython(std::string(ToString(tetrahedron.GetPlace()))) },
+                         { "center", ToPython(center) },
+                         { "smallest_angle", ToPython(tetrahedron.smallestAngle) },
+                         { "largest_angle", ToPython(tetrahedron.largestAngle) } });
+}
+
+inline PyObject *
 ToPython(const MeshQualityReport & report)
 {
   std::ostringstream table;
@@ -238,6 +250,7 @@ ToPython(const MeshQualityReport & report)
                          { "open_edges", ToPython(report.openEdges) },
                          { "non_manifold_edges", ToPython(report.nonManifoldEdges) },
                          { "poor_tetrahedra", ToPython(report.poorTetrahedra) },
+                         { "poorest", ToPython(report.poorest) },
                          { "table", ToPython(table.str()) } });
 }
 } // namespace mmm

@@ -21,6 +21,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli
@@ -230,12 +231,41 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   return section;
 }
 
+/** Whether a corner of a tetrahedron lies on a face of the image's box, where all is cut off flat. */
+bool
+IsOnImageBorder(const Outcome & outcome, std::size_t tetrahedron)
+{
+  constexpr double tolerance = 1e-6;
+  const auto &     region = outcome.labels->GetLargestPossibleRegion();
+  const auto &     points = outcome.tetrahedra->GetPoints()->CastToSTLConstContainer();
+  auto * const     cell = outcome.tetrahedra->GetCells()->GetElement(tetrahedron);
+  return std::any_of(cell->PointIdsBegin(), cell->PointIdsEnd(), [&](auto p) {
+    LabelImage::PointType point;
+    point.CastFrom(points[p]);
+    itk::ContinuousIndex<double, 3> index;
+    // whether it is inside does not matter here
+    static_cast<void>(outcome.labels->TransformPhysicalPointToContinuousIndex(point, index));
+    for (unsigned int a = 0; a < 3; ++a)
+    {
+      const double place = index[a] - double(region.GetIndex(a)) + 0.5;
+      if (std::abs(place) < tolerance || std::abs(place - double(region.GetSize(a))) < tolerance)
+      {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
 Json
-ToJson(const mmm::PoorTetrahedron & tetrahedron)
+ToJson(const Outcome & outcome, const mmm::PoorTetrahedron & tetrahedron)
 {
   return { { "index", tetrahedron.index },
            { "label", tetrahedron.label },
            { "neighbor_labels", tetrahedron.neighborLabels },
+           { "place", mmm::ToString(tetrahedron.GetPlace()) },
+           { "on_image_border", IsOnImageBorder(outcome, tetrahedron.index) },
+           { "boundary_corners", tetrahedron.boundaryCorners },
            { "boundary_faces", tetrahedron.boundaryFaces },
            { "center_mm", Triple(tetrahedron.center) },
            { "smallest_dihedral_angle_deg", Number(tetrahedron.smallestAngle) },
@@ -269,10 +299,12 @@ QualitySection(const Outcome & outcome)
     section["labels"].push_back(entry);
   }
   section["poor_tetrahedra"] = quality.poorTetrahedra;
+  // the list is cut off where it gets long
+  section["poor_tetrahedra_listed"] = quality.poorest.size();
   section["worst_tetrahedra"] = Json::array();
   for (const auto & tetrahedron : quality.poorest)
   {
-    section["worst_tetrahedra"].push_back(ToJson(tetrahedron));
+    section["worst_tetrahedra"].push_back(ToJson(outcome, tetrahedron));
   }
   return section;
 }

@@ -255,3 +255,19 @@ def test_probability_maps_on_different_grids_are_an_error():
     maps = [itk.image_from_array(np.random.rand(8, 8, n).astype(np.float32)) for n in (8, 9)]
     with pytest.raises(RuntimeError, match="must be on the same grid"):
         itk.indicator_images_to_tetrahedral_mesh_filter(*maps)
+
+
+def test_optimizes_meshes(meshed):
+    mesh = meshed.GetOutput()
+    optimizer = itk.OptimizeTetrahedralMeshFilter[type(mesh)].New(mesh)
+    optimizer.SetMaximumNumberOfRounds(2)
+    optimizer.Update()
+    optimized = optimizer.GetOutput()
+    assert set(labels_of(optimized)) == set(labels_of(mesh))
+    assert optimizer.GetLargestTolerance() > 0.0
+    worst = []
+    for each in (mesh, optimized):
+        calculator = itk.TetrahedralMeshQualityCalculator[type(each)].New(Mesh=each)
+        calculator.Compute()
+        worst.append(calculator.GetMinimumDihedralAngle())
+    assert worst[1] >= worst[0] - 1e-9
