@@ -94,7 +94,7 @@ WarnOfVanishedLabels(const MeshFilter & filter)
   {
     std::ostringstream text;
     text << "label " << label << " (" << voxels
-         << " voxels) is too thin and not in the mesh; a smaller --radius may help";
+         << " voxels) is too thin and not in the mesh; a smaller --radius or finer sizes may help";
     Warn(text.str());
   }
 }
