@@ -272,6 +272,36 @@ TEST(SizingControl, SizingFilterThrowsOnWhatContradicts)
          "The region of interest has no smallest or largest size");
 }
 
+TEST(SizingControl, ThrowsOnASizingImageThatIsNotANumber)
+{
+  const auto filter = MakeSlabFilter();
+  filter->SetSizingImage(MakeSizes([](int i, int, int) { return i == 4 ? std::nanf("") : 2.0f; }));
+  for (const bool replaces : { false, true })
+  {
+    filter->SetSizingImageReplaces(replaces);
+    mmmtest::ExpectException([&] { filter->Update(); }, "The sizing image has the value nan at [4, 0, 0]");
+  }
+}
+
+TEST(SizingControl, SameForAnyNumberOfThreads)
+{
+  std::vector<float> first;
+  for (const itk::ThreadIdType threads : { 1, 2, 4 })
+  {
+    const mmmtest::ThreadCount count(threads);
+    const auto                 filter = MakeSlabFilter();
+    filter->SetLabelSizes("3:max=0.5,5:factor=0.7");
+    filter->SetRegionOfInterest(MakeMask([](int i, int j, int) { return i > 3 && j < 6; }));
+    filter->SetRegionMaximumSize(0.8);
+    filter->SetSizingImage(MakeSizes([](int i, int, int k) { return i == k ? 0.4f : Infinity; }));
+    filter->Update();
+    const float *            values = filter->GetOutput()->GetBufferPointer();
+    const std::vector<float> sizes(values, values + filter->GetOutput()->GetBufferedRegion().GetNumberOfPixels());
+    first = first.empty() ? sizes : first;
+    EXPECT_EQ(sizes, first) << threads;
+  }
+}
+
 TEST(SizingControl, SizingFilterThrowsOnARegionElsewhere)
 {
   const auto filter = MakeSlabFilter();

@@ -93,8 +93,8 @@ WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter)
   for (const auto & [label, voxels] : filter.GetVanishedLabels())
   {
     std::ostringstream text;
-    text << "label " << label << " (" << voxels << " voxels) is too thin and not in the mesh"
-         << (settings.indicators.empty() ? "; a smaller --radius may help" : "");
+    text << "label " << label << " (" << voxels << " voxels) is too thin and not in the mesh; "
+         << (settings.indicators.empty() ? "a smaller --radius or finer sizes may help" : "finer sizes may help");
     Warn(text.str());
   }
 }
