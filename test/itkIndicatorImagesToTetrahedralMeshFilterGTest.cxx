@@ -19,6 +19,8 @@
 #include "mmmTestLabelImages.h"
 #include "mmmTestMeshes.h"
 
+#include "itkImageRegionConstIteratorWithIndex.h"
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -189,6 +191,32 @@ TEST(IndicatorImagesToTetrahedralMeshFilter, InterfacesAreClosed)
   {
     EXPECT_EQ(open.second, 0u) << open.first;
   }
+}
+
+TEST(IndicatorImagesToTetrahedralMeshFilter, IndicatorOfALayerOfOneVoxelIsTheDistanceToItsNearerSide)
+{
+  const auto layer = [](double d) { return std::min(d, 1.0 - d); };
+  const auto filter = FilterType::New();
+  filter->SetInput(0, MakeBall([](double d) { return d - 1.0; }));
+  filter->SetInput(1, MakeBall(layer));
+  filter->SetSurfaceOnly(true);
+  filter->KeepIntermediatesOn();
+  filter->Update();
+  double      squares = 0.0;
+  std::size_t count = 0;
+  const auto  image = filter->GetIndicatorImage(2);
+  for (itk::ImageRegionConstIteratorWithIndex<FunctionImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto & at = it.GetIndex();
+    const double distance = layer(BallDistance(int(at[0]), int(at[1]), int(at[2])));
+    if (distance > -0.5)
+    {
+      // but the interface stays away from the voxels' centres
+      squares += std::pow(it.Get() - std::copysign(std::max(std::abs(distance), 0.2), distance), 2);
+      ++count;
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / count), 0.07);
 }
 
 TEST(IndicatorImagesToTetrahedralMeshFilter, IslandsAreMerged)
