@@ -21,6 +21,7 @@
 #include "mmmIndicatorSet.h"
 #include "mmmIndicatorSmoothing.h"
 #include "mmmSizing.h"
+#include "mmmTestShapes.h"
 
 #include <memory>
 
@@ -75,21 +76,6 @@ MakeBallMaterials(int size, const mmm::Vector & centre, double radius)
   return MakeMaterials({ { size, size, size } }, mmm::Vector::Ones(), 2, [=](const mmm::Vector & x) {
     return (x - centre).norm() < radius ? 1 : 0;
   });
-}
-
-/** Points spread evenly over the unit sphere. */
-inline std::vector<mmm::Vector>
-SpherePoints(int count)
-{
-  std::vector<mmm::Vector> points;
-  for (int n = 0; n < count; ++n)
-  {
-    const double z = 1.0 - (2.0 * n + 1.0) / count;
-    const double r = std::sqrt(1.0 - z * z);
-    const double angle = 2.399963229728653 * n;
-    points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
-  }
-  return points;
 }
 } // namespace mmmtest
 
