@@ -40,9 +40,11 @@ constexpr float ThinCentreMargin = 0.2f;
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
 constexpr double FlowBandWidth = 2.0;
-constexpr double FlowTolerance = 0.005;
-constexpr int    AntiAliasSteps = 100;
-constexpr int    TighteningSteps = 60;
+/** The flow ends when the boundary moves less than this per unit of time, root mean square. */
+constexpr double FlowTolerance = 0.01;
+/** No flow needs as many; those seen take up to 35 and 20. */
+constexpr int AntiAliasSteps = 200;
+constexpr int TighteningSteps = 100;
 
 /** How many nodes the band reaches beyond a material's box along an axis. */
 int
