@@ -81,15 +81,8 @@ ComputeSizing(const IndicatorSet &       indicators,
       sources[s].value = float(std::min(std::max(size, parameters.minimumSize), parameters.maximumSize));
     }
   });
-  if (!userSize.empty())
-  {
-    for (std::size_t n = 0; n < userSize.size(); ++n)
-    {
-      sources.push_back({ grid.Position(grid.IndexAt(n)).cast<float>(), userSize[n] });
-    }
-  }
   monitor.Report(0.8);
-  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit).values;
+  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit, userSize).values;
   const float        largest = float(parameters.maximumSize);
   for (float & size : sizing)
   {
