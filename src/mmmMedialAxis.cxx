@@ -250,6 +250,26 @@ Opposite(const InterfaceSample & sample, Material own)
   return sample.first == own ? sample.second : sample.first;
 }
 
+/** Whether the nodes along a line into a material are all its own, as far as a thin layer may reach. */
+bool
+IsThick(const IndicatorSet & indicators, const Vector & from, const Vector & inwards, Material own)
+{
+  const Grid & grid = indicators.GetGrid();
+  for (double t = 3.0 * ProbeStep; t <= ThinLayer + 3.0 * ProbeStep; t += 3.0 * ProbeStep)
+  {
+    Index node;
+    for (int a = 0; a < 3; ++a)
+    {
+      node[a] = int(std::floor((from[a] + t * inwards[a]) / grid.spacing[a] + 0.5));
+    }
+    if (!grid.Contains(node) || indicators.MaterialAtNode(grid.Offset(node)) != own)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** The axis point across a thin layer, from `sample` into the material `own`. Returns false where there is none. */
 bool
 ProbeThinLayer(const IndicatorSet &    indicators,
@@ -259,8 +279,12 @@ ProbeThinLayer(const IndicatorSet &    indicators,
                Vector &                axisPoint)
 {
   const Vector inwards = sample.first == own ? Vector(-sample.normal) : sample.normal;
-  double       inside = 0.0;
-  double       outside = 0.0;
+  if (IsThick(indicators, sample.position, inwards, own))
+  {
+    return false;
+  }
+  double inside = 0.0;
+  double outside = 0.0;
   for (double t = ProbeStep; t <= ThinLayer + ProbeStep; t += ProbeStep)
   {
     if (indicators.MaterialAt(sample.position + t * inwards) != own)

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace mmm
 {
@@ -53,7 +54,8 @@ public:
     }
   }
 
-  /** A source is handed to the nodes around it first. */
+  /** A source is handed to the 4 x 4 x 4 nodes around it first: where it is the best one for few nodes, none of the
+   * nearest need be among them. */
   void
   PlaceSources()
   {
@@ -65,30 +67,32 @@ public:
         m_Field.sources[n] = std::uint32_t(m_Sources.size() + n);
       }
     }
+    // by planes, which are independent of one another
+    const int                  planes = m_Grid.size[2];
+    std::vector<std::uint32_t> starts(planes + 4, 0);
+    std::vector<std::uint32_t> order(m_Sources.size());
+    const auto                 firstPlane = [&](const Source & source) {
+      return std::min(std::max(int(std::floor(source.position[2] / m_Spacing[2])) - 1, -3), planes - 1) + 3;
+    };
+    for (const Source & source : m_Sources)
+    {
+      ++starts[firstPlane(source) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    auto next = starts;
     for (std::uint32_t s = 0; s < m_Sources.size(); ++s)
     {
-      const Source & source = m_Sources[s];
-      int            base[3];
-      for (int a = 0; a < 3; ++a)
-      {
-        base[a] = int(std::floor(source.position[a] / m_Grid.spacing[a]));
-      }
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        const Index at{ { base[0] + (corner & 1), base[1] + ((corner >> 1) & 1), base[2] + (corner >> 2) } };
-        if (!m_Grid.Contains(at))
-        {
-          continue;
-        }
-        const float value = source.value + m_Slope * (m_Grid.Position(at).cast<float>() - source.position).norm();
-        const auto  n = m_Grid.Offset(at);
-        if (value < m_Field.values[n])
-        {
-          m_Field.values[n] = value;
-          m_Field.sources[n] = s;
-        }
-      }
+      order[next[firstPlane(m_Sources[s])]++] = s;
     }
+    ParallelFor(planes, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        for (auto place = starts[k]; place < starts[k + 4]; ++place)
+        {
+          this->PlaceSource(order[place], int(k));
+        }
+      }
+    });
   }
 
   /** Hands sources on along one octant: `direction` is +1 or -1 for each axis. Nodes take from those behind them, so
@@ -120,6 +124,31 @@ private:
     }
     const std::size_t node = number - m_Sources.size();
     return { m_Grid.Position(m_Grid.IndexAt(node)).cast<float>(), m_NodeValues[node] };
+  }
+
+  void
+  PlaceSource(std::uint32_t number, int k)
+  {
+    const Source & source = m_Sources[number];
+    int            base[2];
+    for (int a = 0; a < 2; ++a)
+    {
+      base[a] = int(std::floor(source.position[a] / m_Spacing[a])) - 1;
+    }
+    for (int j = std::max(base[1], 0); j < std::min(base[1] + 4, m_Grid.size[1]); ++j)
+    {
+      for (int i = std::max(base[0], 0); i < std::min(base[0] + 4, m_Grid.size[0]); ++i)
+      {
+        const Eigen::Vector3f x(i * m_Spacing[0], j * m_Spacing[1], k * m_Spacing[2]);
+        const float           value = source.value + m_Slope * (x - source.position).norm();
+        const auto            node = m_Grid.Offset(i, j, k);
+        if (value < m_Field.values[node])
+        {
+          m_Field.values[node] = value;
+          m_Field.sources[node] = number;
+        }
+      }
+    }
   }
 
   void
