@@ -40,9 +40,10 @@ constexpr float ThinCentreMargin = 0.2f;
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
 constexpr double FlowBandWidth = 2.0;
-/** The flow ends when the boundary moves less than this per unit of time, root mean square. */
-constexpr double FlowTolerance = 0.01;
-/** No flow needs as many; those seen take up to 35 and 20. */
+/** The flows end when the boundary moves less than this per unit of time, root mean square. */
+constexpr double AntiAliasTolerance = 0.01;
+constexpr double TighteningTolerance = 0.005;
+/** No flow that was seen needs as many. */
 constexpr int AntiAliasSteps = 200;
 constexpr int TighteningSteps = 100;
 
@@ -123,7 +124,7 @@ AntiAlias(LevelSet & levelSet, const std::vector<float> & margins)
     lower[b] = inside ? margins[b] : -width;
     upper[b] = inside ? width : -margins[b];
   }
-  levelSet.FlowByMeanCurvature(lower, upper, FlowTolerance, AntiAliasSteps);
+  levelSet.FlowByMeanCurvature(lower, upper, AntiAliasTolerance, AntiAliasSteps);
 }
 
 /** The set moved outwards by `offset` (inwards where negative) and back: closing, or opening, per node of the band. */
@@ -163,7 +164,7 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
       closing[b] = std::min(closing[b], std::max(start[b], yield - margins[b]));
     }
   }
-  levelSet.FlowByMeanCurvature(opening, closing, FlowTolerance, TighteningSteps);
+  levelSet.FlowByMeanCurvature(opening, closing, TighteningTolerance, TighteningSteps);
 }
 } // namespace
 
