@@ -43,13 +43,20 @@ void
 PrintSurfaces()
 {
   std::printf("zero set: largest of %d random places\n", Repetitions);
-  std::printf("%-10s %6s %14s %10s %14s\n", "solid", "radius", "RMS distance", "volume %", "RMS normal deg");
+  std::printf("%-10s %6s %13s %9s %15s %15s\n",
+              "solid",
+              "radius",
+              "RMS distance",
+              "volume %",
+              "RMS normal deg",
+              "voxels' volume %");
   std::mt19937 random(1);
   for (const std::string name : { "sphere", "ellipsoid", "torus" })
   {
     for (const double radius : { 10.0, 15.0, 20.0, 30.0, 40.0 })
     {
       mmmtest::SurfaceErrors largest;
+      double                 digitized = 0.0;
       for (int n = 0; n < Repetitions; ++n)
       {
         const int                       size = int(2.0 * radius * (name == "torus" ? 1.4 : 1.0)) + 10;
@@ -65,18 +72,22 @@ PrintSurfaces()
           const Vector ratios = name == "sphere" ? Vector::Ones() : Vector(1.0, 0.8, 0.6);
           solid = std::make_unique<mmmtest::Ellipsoid>(centre, rotation, radius * ratios);
         }
-        const Scene scene(mmmtest::Digitize(*solid, size));
-        const auto  errors = mmmtest::MeasureSurface(*scene.indicators, *solid, Rays);
+        const Scene  scene(mmmtest::Digitize(*solid, size));
+        const auto   errors = mmmtest::MeasureSurface(*scene.indicators, *solid, Rays);
+        const auto & materials = scene.image.materials;
+        const double voxels = double(std::count(materials.begin(), materials.end(), 1));
+        digitized = std::max(digitized, std::abs(voxels / solid->Volume() - 1.0));
         largest.distance = std::max(largest.distance, errors.distance);
         largest.normal = std::max(largest.normal, errors.normal);
         largest.volume = std::max(largest.volume, std::abs(errors.volume));
       }
-      std::printf("%-10s %6.0f %14.3f %10.2f %14.2f\n",
+      std::printf("%-10s %6.0f %13.3f %9.2f %15.2f %15.2f\n",
                   name.c_str(),
                   radius,
                   largest.distance,
                   100.0 * largest.volume,
-                  largest.normal);
+                  largest.normal,
+                  100.0 * digitized);
     }
   }
 }

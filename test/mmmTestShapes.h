@@ -64,6 +64,9 @@ public:
   {}
   virtual ~Solid() = default;
 
+  virtual double
+  Volume() const = 0;
+
   bool
   Contains(const mmm::Vector & x) const
   {
@@ -119,6 +122,12 @@ public:
     , m_Semiaxes(semiaxes)
   {}
 
+  double
+  Volume() const override
+  {
+    return 4.0 / 3.0 * EIGEN_PI * m_Semiaxes.prod();
+  }
+
 protected:
   double
   LocalDistance(const mmm::Vector & x) const override
@@ -152,6 +161,12 @@ public:
     , m_Major(major)
     , m_Minor(minor)
   {}
+
+  double
+  Volume() const override
+  {
+    return 2.0 * EIGEN_PI * EIGEN_PI * m_Major * m_Minor * m_Minor;
+  }
 
 protected:
   double
