@@ -107,6 +107,13 @@ public:
   bool
   IsOutside(const Index & lower, const Index & upper) const;
 
+  /** How many bricks have values of their own. */
+  std::size_t
+  GetNumberOfStoredBricks() const
+  {
+    return m_Values.size() / Size - FirstStored;
+  }
+
 private:
   static constexpr int Size = Edge * Edge * RowLength;
   enum Number : std::uint32_t

@@ -83,8 +83,9 @@ public:
     return m_Band;
   }
 
-  /** Makes the values the signed distance to their own zero level: nodes beside it from where the level crosses the
-   * grid's edges, the rest of the band by the Eikonal equation (first-order Godunov). */
+  /** Makes the values the signed distance to their own zero level: nodes beside it by value and slope, or, where that
+   * is not regular, from where the level crosses the grid's edges; the rest of the band by the Eikonal equation
+   * (first-order Godunov). */
   void
   Redistance();
 

@@ -197,7 +197,20 @@ LevelSet::Redistance()
       const float   inverse = (x < 1.5f * spacing[0] ? 1.0f / (x * x) : 0.0f) +
                             (y < 1.5f * spacing[1] ? 1.0f / (y * y) : 0.0f) +
                             (z < 1.5f * spacing[2] ? 1.0f / (z * z) : 0.0f);
-      return inverse > 0.0f ? 1.0f / std::sqrt(inverse) : width;
+      if (!(inverse > 0.0f))
+      {
+        return width;
+      }
+      // By the crossings the zero level is a plane, which makes what is convex smaller each time. By the slope it may
+      // be curved, but the slope is wrong where two parts of it are close to each other.
+      const float straight = 1.0f / std::sqrt(inverse);
+      const float gx = (v[sx] - v[-sx]) / (2.0f * spacing[0]);
+      const float gy = (v[sy] - v[-sy]) / (2.0f * spacing[1]);
+      const float gz = (v[sz] - v[-sz]) / (2.0f * spacing[2]);
+      const float slope = std::sqrt(gx * gx + gy * gy + gz * gz);
+      const float curved = std::abs(v[0]) / slope;
+      const bool  isRegular = slope > 0.7f && curved < 1.3f * straight && straight < 1.3f * curved;
+      return isRegular ? curved : straight;
     },
     distance);
   commit();
