@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -15,7 +15,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """Renders a labelled tetrahedral mesh, cut open, to a PNG file. Needs no screen.
 
 usage: RenderMesh.py MESH.vtu OUT.png [--axis x|y|z] [--position MM] [--exterior-labels [LABEL ...]]

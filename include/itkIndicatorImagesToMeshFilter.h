@@ -123,6 +123,14 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** Refuse meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive,
+   * before the long stages begin: Update() throws an ExceptionObject that says which smallest size would do. See
+   * MeshingReport::estimate. Defaults: no limit. */
+  itkSetMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkGetConstMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkSetMacro(MaximumMemory, double);
+  itkGetConstMacro(MaximumMemory, double);
+
   /** The input "SizingImage". */
   void
   SetSizingImage(const SizingImageType * image);
@@ -196,6 +204,10 @@ private:
   std::vector<const TIndicatorImage *>
   GetIndicatorImages() const;
 
+  /** Throws if a limit would be passed; `unit` is that of the sizes, in mm. */
+  void
+  VerifyEstimate(const mmm::MeshEstimator & estimator, double unit) const;
+
   void
   FillSurfaceAndParticles(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
 
@@ -207,6 +219,8 @@ private:
   LabelType                                 m_OutsideLabel{ 0 };
   std::uint64_t                             m_Seed{ 1 };
   bool                                      m_SurfaceOnly{ false };
+  SizeValueType                             m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
+  double                                    m_MaximumMemory{ std::numeric_limits<double>::infinity() };
   typename ReferenceImageType::ConstPointer m_ReferenceImage;
   LabelType                                 m_UsedOutsideLabel{ 0 };
   mmm::MeshingReport                        m_Report;

@@ -21,6 +21,7 @@
 #include "mmmIndicatorImages.h"
 #include "mmmInterfaceLabels.h"
 #include "mmmMeshConversion.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
 #include "itkPrintHelper.h"
@@ -28,6 +29,10 @@
 #include "itkTriangleCell.h"
 
 #include <algorithm>
+#include <cmath>
+#include <new>
+#include <sstream>
+#include <string>
 
 namespace itk
 {
@@ -145,6 +150,10 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPreconditions()
   {
     itkExceptionMacro("There is nothing but exterior.");
   }
+  if (!(m_MaximumMemory > 0.0))
+  {
+    itkExceptionMacro("The largest memory is " << m_MaximumMemory << " GB. It must be positive.");
+  }
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
@@ -205,6 +214,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateOutputRequest
 template <typename TIndicatorImage, typename TOutputMesh>
 void
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
+try
 {
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
@@ -230,11 +240,16 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
     m_ReferenceImage ? mmm::GridGeometry(m_ReferenceImage, m_ReferenceImage->GetLargestPossibleRegion())
                      : images.GetGeometry();
 
+  const mmm::MeshEstimator estimator(indicators, m_ExteriorIndex, sizing, m_SurfaceOnly);
+  m_Report.estimate = estimator.Estimate();
+  this->VerifyEstimate(estimator, outputGeometry.GetUnit());
+
   mmm::MeshingParameters parameters;
   parameters.exterior = m_ExteriorIndex;
   parameters.seed = m_Seed;
   parameters.surfaceOnly = m_SurfaceOnly;
   mmm::MeshingResult result;
+  result.report.estimate = m_Report.estimate;
   try
   {
     mmm::BuildMesh(indicators, sizing, parameters, monitor, result);
@@ -249,6 +264,44 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
   this->FillSurfaceAndParticles(result, outputGeometry);
   this->FillTetrahedra(result, outputGeometry);
   monitor.Report(1.0);
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
+}
+
+template <typename TIndicatorImage, typename TOutputMesh>
+void
+IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::VerifyEstimate(const mmm::MeshEstimator & estimator,
+                                                                          double                     unit) const
+{
+  const auto most = static_cast<double>(m_MaximumNumberOfTetrahedra);
+  const bool isTooLarge = m_Report.estimate.tetrahedra > most;
+  if (!isTooLarge && m_Report.estimate.memory <= m_MaximumMemory)
+  {
+    return;
+  }
+  std::ostringstream words;
+  words << "About " << mmm::Describe(m_Report.estimate) << " are to be expected, more than the limit of ";
+  if (isTooLarge)
+  {
+    words << m_MaximumNumberOfTetrahedra << " tetrahedra.";
+  }
+  else
+  {
+    words << m_MaximumMemory << " GB.";
+  }
+  const double size = unit * estimator.SmallestSizeFor(most, m_MaximumMemory);
+  if (std::isfinite(size))
+  {
+    words << " A smallest size of " << mmm::RoundUp(size) << " mm is expected to keep to it.";
+  }
+  else
+  {
+    words << " No smallest size is expected to keep to it: the images or their thin parts take more. Larger voxels or "
+             "fewer labels would help.";
+  }
+  itkExceptionMacro(<< words.str());
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
@@ -331,6 +384,8 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::PrintSelf(std::ostrea
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
+  os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   itkPrintSelfObjectMacro(ReferenceImage);
   os << indent << "UsedOutsideLabel: " << m_UsedOutsideLabel << std::endl;
   os << indent << "Particles on cells of dimension 0 to 3: " << m_Report.particles[0] << ' ' << m_Report.particles[1]

@@ -26,6 +26,8 @@
 #include "itkImageToImageFilter.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace itk
 {
@@ -42,8 +44,15 @@ namespace itk
  * same origin, spacing and direction, else Update() throws an ExceptionObject. Their regions may differ: where an image
  * ends its indicator is -3 times the smallest voxel spacing. The output covers all of them.
  *
- * The input "SizingImage" is optional: edge lengths in mm, on the grid of the output, all positive, which the output
- * does not exceed, be they below MinimumSize. Infinity and 1e30 mean no limit.
+ * Two more inputs are optional; they are on the grid of the output. Neither makes sizes jump: the gradient stays
+ * limited.
+ * - "SizingImage": edge lengths in mm, all positive, which the output does not exceed, be they below MinimumSize. With
+ * SizingImageReplaces they stand in place of the computed ones, within the bounds. Infinity and 1e30 say nothing about
+ * a voxel.
+ * - "RegionOfInterest": a mask with bounds of its own where it is not 0.
+ *
+ * Bounds of the region of interest stand in place of those of a label, and these in place of MinimumSize and
+ * MaximumSize. A bound that is not given is the one of the next in this order, moved if it contradicts the other bound.
  *
  * The result does not depend on the number of threads.
  *
@@ -65,6 +74,11 @@ public:
 
   using IndicatorImageType = TIndicatorImage;
   using SizingImageType = TSizingImage;
+  using MaskImageType = Image<unsigned char, 3>;
+
+  using LabelType = int;
+  using LabelsType = std::vector<LabelType>;
+  using LabelSizesType = mmm::LabelSizeRules;
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(IndicatorImagesToSizingImageFilter);
@@ -101,6 +115,38 @@ public:
   itkSetMacro(MaximumSize, double);
   itkGetConstMacro(MaximumSize, double);
 
+  /** The volume that no tetrahedron is to exceed, in mm^3, positive. Edge lengths are kept so small that none does;
+   * what other bounds say is no excuse. Default: infinity. */
+  itkSetMacro(MaximumVolume, double);
+  itkGetConstMacro(MaximumVolume, double);
+
+  /** The label of each input, by number; LabelSizes are by label. Default: none, the number of an input is its label.
+   */
+  virtual void
+  SetLabels(const LabelsType & labels);
+  itkGetConstReferenceMacro(Labels, LabelsType);
+
+  /** A factor on the edge length at the interfaces of a label, and bounds in it and at its interfaces, in mm. Where two
+   * labels with sizes meet, the smaller result holds. Also as a text, such as "3:factor=0.5:max=2,7:min=1". Default:
+   * none. */
+  virtual void
+  SetLabelSizes(const LabelSizesType & sizes);
+  void
+  SetLabelSizes(const std::string & text);
+  itkGetConstReferenceMacro(LabelSizes, LabelSizesType);
+
+  /** Whether the sizing image stands in place of the computed edge lengths. Default: false, it is their maximum. */
+  itkSetMacro(SizingImageReplaces, bool);
+  itkGetConstMacro(SizingImageReplaces, bool);
+  itkBooleanMacro(SizingImageReplaces);
+
+  /** The bounds in the region of interest, in mm, positive. One of them is needed with the input, and neither is
+   * allowed without. Default: Automatic, which is the bound that holds elsewhere. */
+  itkSetMacro(RegionMinimumSize, double);
+  itkGetConstMacro(RegionMinimumSize, double);
+  itkSetMacro(RegionMaximumSize, double);
+  itkGetConstMacro(RegionMaximumSize, double);
+
   /** The number of the input that is not meshed, or -1 if there is none. Default: -1. */
   itkSetMacro(ExteriorIndex, int);
   itkGetConstMacro(ExteriorIndex, int);
@@ -110,6 +156,12 @@ public:
   SetSizingImage(const TSizingImage * image);
   const TSizingImage *
   GetSizingImage() const;
+
+  /** The input "RegionOfInterest". Some of it must be in what is meshed. */
+  void
+  SetRegionOfInterest(const MaskImageType * mask);
+  const MaskImageType *
+  GetRegionOfInterest() const;
 
 protected:
   IndicatorImagesToSizingImageFilter();
@@ -143,12 +195,25 @@ private:
   std::vector<const TIndicatorImage *>
   GetIndicatorImages() const;
 
-  double m_Epsilon{ 2.5 };
-  double m_ChordTolerance{ Automatic };
-  double m_GradientLimit{ 0.5 };
-  double m_MinimumSize{ Automatic };
-  double m_MaximumSize{ std::numeric_limits<double>::infinity() };
-  int    m_ExteriorIndex{ -1 };
+  /** The labels of the inputs, by number. */
+  LabelsType
+  GetInputLabels() const;
+
+  mmm::SizingControl
+  MakeControl(const mmm::GridGeometry & geometry, const mmm::IndicatorSet & indicators) const;
+
+  double         m_Epsilon{ 2.5 };
+  double         m_ChordTolerance{ Automatic };
+  double         m_GradientLimit{ 0.5 };
+  double         m_MinimumSize{ Automatic };
+  double         m_MaximumSize{ std::numeric_limits<double>::infinity() };
+  double         m_MaximumVolume{ std::numeric_limits<double>::infinity() };
+  LabelsType     m_Labels;
+  LabelSizesType m_LabelSizes;
+  bool           m_SizingImageReplaces{ false };
+  double         m_RegionMinimumSize{ Automatic };
+  double         m_RegionMaximumSize{ Automatic };
+  int            m_ExteriorIndex{ -1 };
 };
 } // namespace itk
 

@@ -20,9 +20,15 @@
 
 #include "mmmFilterMonitor.h"
 #include "mmmIndicatorImages.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
+#include "itkPrintHelper.h"
+
 #include <algorithm>
+#include <new>
+#include <numeric>
+#include <string>
 
 namespace itk
 {
@@ -30,6 +36,7 @@ template <typename TIndicatorImage, typename TSizingImage>
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::IndicatorImagesToSizingImageFilter()
 {
   this->AddOptionalInputName("SizingImage");
+  this->AddOptionalInputName("RegionOfInterest");
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
@@ -47,6 +54,46 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetSizingImag
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetRegionOfInterest(const MaskImageType * mask)
+{
+  this->ProcessObject::SetInput("RegionOfInterest", const_cast<MaskImageType *>(mask));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+auto
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetRegionOfInterest() const -> const MaskImageType *
+{
+  return dynamic_cast<const MaskImageType *>(this->ProcessObject::GetInput("RegionOfInterest"));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabels(const LabelsType & labels)
+{
+  if (m_Labels != labels)
+  {
+    m_Labels = labels;
+    this->Modified();
+  }
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabelSizes(const LabelSizesType & sizes)
+{
+  m_LabelSizes = sizes;
+  this->Modified();
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+void
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabelSizes(const std::string & text)
+{
+  this->SetLabelSizes(mmm::ParseLabelSizeRules(text));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
 mmm::SizingOptions
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetOptions() const
 {
@@ -56,7 +103,25 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetOptions() 
   options.gradientLimit = m_GradientLimit;
   options.minimumSize = m_MinimumSize;
   options.maximumSize = m_MaximumSize;
+  options.maximumVolume = m_MaximumVolume;
+  options.labelSizes = m_LabelSizes;
+  options.region.minimumSize = m_RegionMinimumSize;
+  options.region.maximumSize = m_RegionMaximumSize;
+  options.hasRegion = this->GetRegionOfInterest() != nullptr;
   return options;
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+auto
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetInputLabels() const -> LabelsType
+{
+  LabelsType labels = m_Labels;
+  if (labels.empty())
+  {
+    labels.resize(this->GetNumberOfIndexedInputs());
+    std::iota(labels.begin(), labels.end(), 0);
+  }
+  return labels;
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
@@ -93,10 +158,21 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyPrecond
   {
     itkExceptionMacro("There is nothing but exterior.");
   }
-  const std::string error = mmm::DescribeError(this->GetOptions());
-  if (!error.empty())
+  if (!m_Labels.empty() && m_Labels.size() != images.size())
   {
-    itkExceptionMacro(<< error);
+    itkExceptionMacro("There are " << m_Labels.size() << " labels for " << images.size() << " indicator images.");
+  }
+  if (m_SizingImageReplaces && this->GetSizingImage() == nullptr)
+  {
+    itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
+  }
+  for (const std::string & error :
+       { mmm::DescribeError(this->GetOptions()), mmm::DescribeUnknownLabels(m_LabelSizes, this->GetInputLabels()) })
+  {
+    if (!error.empty())
+    {
+      itkExceptionMacro(<< error);
+    }
   }
 }
 
@@ -112,6 +188,13 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyInputIn
     itkExceptionMacro("The sizing image covers " << sizes->GetLargestPossibleRegion()
                                                  << " and the indicator images together " << indicators.GetRegion()
                                                  << ". They must be the same.");
+  }
+  const MaskImageType * mask = this->GetRegionOfInterest();
+  if (mask && mask->GetLargestPossibleRegion() != indicators.GetRegion())
+  {
+    itkExceptionMacro("The region of interest covers " << mask->GetLargestPossibleRegion()
+                                                       << " and the indicator images together "
+                                                       << indicators.GetRegion() << ". They must be the same.");
   }
 }
 
@@ -149,6 +232,7 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateInput
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData()
+try
 {
   this->AllocateOutputs();
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
@@ -157,30 +241,74 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData(
   mmm::StageLog      log;
   mmm::FilterMonitor monitor(this, log, { { "sizing", 1.0 } });
   monitor.BeginStage("sizing");
-  std::vector<float> limits;
-  if (const auto * sizes = this->GetSizingImage())
-  {
-    limits = mmm::ReadSizingImage(sizes, geometry);
-  }
-  const auto sizing = mmm::ComputeSizing(
-    images.MakeIndicatorSet(), m_ExteriorIndex, mmm::ToGridUnit(this->GetOptions(), geometry), limits, monitor);
+  const mmm::IndicatorSet indicators = images.MakeIndicatorSet();
+  const auto              sizing = mmm::ComputeSizing(indicators,
+                                         m_ExteriorIndex,
+                                         mmm::ToGridUnit(this->GetOptions(), geometry),
+                                         this->MakeControl(geometry, indicators),
+                                         monitor);
 
   using SizeType = typename TSizingImage::PixelType;
   std::transform(sizing.begin(), sizing.end(), this->GetOutput()->GetBufferPointer(), [&](float size) {
     return static_cast<SizeType>(size * geometry.GetUnit());
   });
 }
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()));
+}
+
+template <typename TIndicatorImage, typename TSizingImage>
+mmm::SizingControl
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::MakeControl(
+  const mmm::GridGeometry & geometry,
+  const mmm::IndicatorSet & indicators) const
+{
+  mmm::SizingControl control;
+  if (const auto * sizes = this->GetSizingImage())
+  {
+    control.image = mmm::ReadSizingImage(sizes, geometry);
+    control.imageReplaces = m_SizingImageReplaces;
+  }
+  const auto options = this->GetOptions();
+  if (const auto * mask = this->GetRegionOfInterest())
+  {
+    control.region = mmm::ReadMask(mask);
+    control.regionRule = mmm::ToGridUnit(options.region, geometry);
+    if (!mmm::IsInMaterials(control.region, indicators, m_ExteriorIndex))
+    {
+      itkExceptionMacro("No voxel of the region of interest is in what is meshed.");
+    }
+  }
+  if (!m_LabelSizes.empty())
+  {
+    for (const auto label : this->GetInputLabels())
+    {
+      const auto rule = m_LabelSizes.find(label);
+      control.materials.push_back(rule == m_LabelSizes.end() ? mmm::SizeRule()
+                                                             : mmm::ToGridUnit(rule->second, geometry));
+    }
+  }
+  return control;
+}
 
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
+  using namespace print_helper;
   Superclass::PrintSelf(os, indent);
   os << indent << "Epsilon: " << m_Epsilon << std::endl;
   os << indent << "ChordTolerance: " << m_ChordTolerance << std::endl;
   os << indent << "GradientLimit: " << m_GradientLimit << std::endl;
   os << indent << "MinimumSize: " << m_MinimumSize << std::endl;
   os << indent << "MaximumSize: " << m_MaximumSize << std::endl;
+  os << indent << "MaximumVolume: " << m_MaximumVolume << std::endl;
+  os << indent << "Labels: " << m_Labels << std::endl;
+  os << indent << "LabelSizes: " << mmm::ToText(m_LabelSizes) << std::endl;
+  os << indent << "SizingImageReplaces: " << (m_SizingImageReplaces ? "On" : "Off") << std::endl;
+  os << indent << "RegionMinimumSize: " << m_RegionMinimumSize << std::endl;
+  os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "ExteriorIndex: " << m_ExteriorIndex << std::endl;
 }
 } // namespace itk

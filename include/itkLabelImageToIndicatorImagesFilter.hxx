@@ -20,11 +20,14 @@
 
 #include "mmmGridGeometry.h"
 #include "mmmLabels.h"
+#include "mmmOutOfMemory.h"
 
 #include "itkPrintHelper.h"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string>
 
 namespace itk
 {
@@ -149,6 +152,7 @@ LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateInputRe
 template <typename TLabelImage, typename TIndicatorImage>
 void
 LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateData()
+try
 {
   const TLabelImage * input = this->GetInput();
   if (m_Materials.materials.empty())
@@ -169,6 +173,10 @@ LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::GenerateData()
   }
   m_Materials = mmm::MaterialImage();
   m_Boxes.clear();
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()));
 }
 
 template <typename TLabelImage, typename TIndicatorImage>

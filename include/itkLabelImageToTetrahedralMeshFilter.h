@@ -92,9 +92,11 @@ public:
   using ParticleMeshType = LabelParticleMesh;
   using IndicatorImageType = Image<float, 3>;
   using SizingImageType = Image<float, 3>;
+  using MaskImageType = Image<unsigned char, 3>;
 
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
+  using LabelSizesType = mmm::LabelSizeRules;
   using VoxelCountsType = mmm::LabelCounts;
   using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
   using StageRecordsType = std::vector<mmm::StageRecord>;
@@ -116,6 +118,18 @@ public:
   virtual void
   SetExteriorLabels(const LabelsType & labels);
   itkGetConstReferenceMacro(ExteriorLabels, LabelsType);
+
+  /** Mesh the exterior as well, as one label that keeps its value: air, up to the faces of the image's box or, with
+   * AirMargin, of the box around what else is meshed. Pockets of exterior inside are air, too. Default: false. */
+  itkSetMacro(FillExterior, bool);
+  itkGetConstMacro(FillExterior, bool);
+  itkBooleanMacro(FillExterior);
+
+  /** How far that box is to go beyond what else is meshed, at least, in mm, not negative. The image is extended by
+   * exterior (by the first of ExteriorLabels if it has none) or cut; where its border cuts a label, air follows. It
+   * says that the exterior is filled, whatever FillExterior is. Default: Automatic, the box is the image's. */
+  itkSetMacro(AirMargin, double);
+  itkGetConstMacro(AirMargin, double);
 
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
@@ -149,6 +163,36 @@ public:
   itkSetMacro(MaximumSize, double);
   itkGetConstMacro(MaximumSize, double);
 
+  /** The volume that no tetrahedron is to exceed, in mm^3, positive. Edge lengths are kept so small that none does;
+   * what other bounds say is no excuse. Default: infinity. */
+  itkSetMacro(MaximumVolume, double);
+  itkGetConstMacro(MaximumVolume, double);
+
+  /** A factor on the edge length at the interfaces of a label, and bounds in it and at its interfaces, in mm, which
+   * stand in place of MinimumSize and MaximumSize. Where two labels with sizes meet, the smaller result holds. Labels
+   * must be in the image; of several exterior ones, that which stands for all. Also as a text, such as
+   * "3:factor=0.5:max=2,7:min=1". Default: none. */
+  virtual void
+  SetLabelSizes(const LabelSizesType & sizes);
+  void
+  SetLabelSizes(const std::string & text);
+  itkGetConstReferenceMacro(LabelSizes, LabelSizesType);
+
+  /** Whether the sizing image stands in place of the computed edge lengths, within the bounds. Default: false, it is
+   * their maximum. */
+  itkSetMacro(SizingImageReplaces, bool);
+  itkGetConstMacro(SizingImageReplaces, bool);
+  itkBooleanMacro(SizingImageReplaces);
+
+  /** The bounds in the region of interest, in mm, positive, which stand in place of all others there. One of them is
+   * needed with the region, and neither is allowed without. Default: Automatic, which is the bound that holds
+   * elsewhere.
+   */
+  itkSetMacro(RegionMinimumSize, double);
+  itkGetConstMacro(RegionMinimumSize, double);
+  itkSetMacro(RegionMaximumSize, double);
+  itkGetConstMacro(RegionMaximumSize, double);
+
   /** The particles' order of insertion. Another seed gives another mesh of the same kind. Default: 1. */
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
@@ -158,17 +202,33 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** Refuse meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive,
+   * before the long stages begin: Update() throws an ExceptionObject that says which smallest size would do. See
+   * MeshingReport::estimate. Defaults: no limit. */
+  itkSetMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkGetConstMacro(MaximumNumberOfTetrahedra, SizeValueType);
+  itkSetMacro(MaximumMemory, double);
+  itkGetConstMacro(MaximumMemory, double);
+
   /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
   itkSetMacro(KeepIntermediates, bool);
   itkGetConstMacro(KeepIntermediates, bool);
   itkBooleanMacro(KeepIntermediates);
 
-  /** An optional image of edge lengths in mm that the mesh is not to exceed, on the grid of the label image. All values
-   * are positive. */
+  /** An optional image of edge lengths in mm that the mesh is not to exceed, or that it is to have, see
+   * SizingImageReplaces. It is on the grid of the label image. All values are positive; infinity and 1e30 say nothing
+   * about a voxel. */
   void
   SetSizingImage(const SizingImageType * image);
   const SizingImageType *
   GetSizingImage() const;
+
+  /** An optional mask on the grid of the label image: bounds of its own hold where it is not 0, see RegionMinimumSize.
+   * Some of it must be in what is meshed. From its rim edges grow by GradientLimit. */
+  void
+  SetRegionOfInterest(const MaskImageType * mask);
+  const MaskImageType *
+  GetRegionOfInterest() const;
 
   SurfaceMeshType *
   GetSurface();
@@ -194,7 +254,8 @@ public:
    */
   itkGetConstReferenceMacro(VanishedLabels, VoxelCountsType);
 
-  /** Counts of the particles and how their relaxation went. */
+  /** What was expected, counts of the particles and how their relaxation went. The estimate is there for observers of
+   * ProgressEvent as soon as the stage "preparation" has ended. */
   itkGetConstReferenceMacro(Report, mmm::MeshingReport);
 
   /** The stages that ended, in their order. */
@@ -253,44 +314,77 @@ protected:
   void
   GenerateData() override;
 
-private:
   using IndicatorImagesType = std::vector<IndicatorImageType::Pointer>;
+
+  /** The indicators of GetLabels(), in that order. Everything is in the grid's unit and geometry. */
+  virtual IndicatorImagesType
+  ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
+
+private:
   using MeshFilterType = IndicatorImagesToMeshFilter<IndicatorImageType, TOutputMesh>;
 
   mmm::SizingOptions
   GetSizingOptions() const;
 
-  /** The place of the exterior label among the labels, or -1 if the image has none. */
+  bool
+  IsExterior(LabelType label) const;
+
+  /** Whether the exterior is meshed, too. */
+  bool
+  IsFilled() const;
+
+  /** The label that stands for all exterior ones. */
+  LabelType
+  GetExteriorLabel(const VoxelCountsType & counts) const;
+
+  /** What is meshed of the image, or around it: the image itself if there is no margin. */
+  typename TLabelImage::ConstPointer
+  MakeDomain(const TLabelImage * input, const VoxelCountsType & counts) const;
+
+  /** The place of the label that is not meshed among the labels, or -1 if there is none. */
   int
   GetExteriorIndex() const;
 
   /** The image in the geometry of its grid, where the stages work: the grid's unit of length, origin 0, no rotation. */
   typename TLabelImage::Pointer
-  MakeGridImage(const mmm::GridGeometry & geometry);
+  MakeGridImage(const TLabelImage * domain, const mmm::GridGeometry & geometry) const;
 
   /** The optional sizing image in that geometry, or a null pointer. */
   SizingImageType::Pointer
   MakeGridSizingImage(const mmm::GridGeometry & geometry) const;
 
-  /** Gives an image of a stage the geometry of the input, with values in mm. */
+  /** The optional region of interest in that geometry, or a null pointer. */
+  MaskImageType::Pointer
+  MakeGridRegion(const mmm::GridGeometry & geometry) const;
+
+  /** Gives an image of a stage the geometry of the domain, with values in mm. */
   void
-  RestoreGeometry(Image<float, 3> * image, double unit);
+  RestoreGeometry(const TLabelImage * domain, Image<float, 3> * image, double unit) const;
 
   /** Throws if there is nothing to mesh. */
   void
   VerifyLabels(const VoxelCountsType & counts) const;
 
+  /** Throws if sizes are given for labels that will not be there. */
+  void
+  VerifyLabelSizes(const VoxelCountsType & counts) const;
+
+  /** Throws if the region of interest is in nothing that is meshed. */
+  void
+  VerifyRegionOfInterest(const TLabelImage * input) const;
+
   /** The stages, one by one. */
   typename TLabelImage::Pointer
   MergeIslands(const TLabelImage * labels, mmm::FilterMonitor & monitor);
-  IndicatorImagesType
-  ComputeIndicators(const TLabelImage * labels, const mmm::GridGeometry & geometry, mmm::FilterMonitor & monitor);
   SizingImageType::Pointer
   ComputeSizing(const IndicatorImagesType & indicators,
                 const mmm::GridGeometry &   geometry,
                 mmm::FilterMonitor &        monitor);
   void
-  BuildMeshes(const IndicatorImagesType & indicators, const SizingImageType * sizing, mmm::FilterMonitor & monitor);
+  BuildMeshes(const TLabelImage *         domain,
+              const IndicatorImagesType & indicators,
+              const SizingImageType *     sizing,
+              mmm::FilterMonitor &        monitor);
 
   /** Passes a stage's progress on to the monitor, and the order to abort to the stage's filter. */
   void
@@ -302,17 +396,26 @@ private:
   void
   FindVanishedLabels(const VoxelCountsType & counts);
 
-  LabelsType    m_ExteriorLabels{ 0 };
-  SizeValueType m_MinimumIslandSize{ 8 };
-  double        m_Radius{ Automatic };
-  double        m_Epsilon{ 2.5 };
-  double        m_ChordTolerance{ Automatic };
-  double        m_GradientLimit{ 0.5 };
-  double        m_MinimumSize{ Automatic };
-  double        m_MaximumSize{ std::numeric_limits<double>::infinity() };
-  std::uint64_t m_Seed{ 1 };
-  bool          m_SurfaceOnly{ false };
-  bool          m_KeepIntermediates{ false };
+  LabelsType     m_ExteriorLabels{ 0 };
+  bool           m_FillExterior{ false };
+  double         m_AirMargin{ Automatic };
+  SizeValueType  m_MinimumIslandSize{ 8 };
+  double         m_Radius{ Automatic };
+  double         m_Epsilon{ 2.5 };
+  double         m_ChordTolerance{ Automatic };
+  double         m_GradientLimit{ 0.5 };
+  double         m_MinimumSize{ Automatic };
+  double         m_MaximumSize{ std::numeric_limits<double>::infinity() };
+  double         m_MaximumVolume{ std::numeric_limits<double>::infinity() };
+  LabelSizesType m_LabelSizes;
+  bool           m_SizingImageReplaces{ false };
+  double         m_RegionMinimumSize{ Automatic };
+  double         m_RegionMaximumSize{ Automatic };
+  std::uint64_t  m_Seed{ 1 };
+  bool           m_SurfaceOnly{ false };
+  SizeValueType  m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
+  double         m_MaximumMemory{ std::numeric_limits<double>::infinity() };
+  bool           m_KeepIntermediates{ false };
 
   LabelsType         m_Labels;
   LabelType          m_OutsideLabel{ 0 };

@@ -21,13 +21,18 @@
 #include "itkIndicatorImagesToSizingImageFilter.h"
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
+#include "mmmImageRegions.h"
+#include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
+#include "itkImageRegionConstIterator.h"
 #include "itkPrintHelper.h"
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <set>
+#include <string>
 
 namespace itk
 {
@@ -35,6 +40,7 @@ template <typename TLabelImage, typename TOutputMesh>
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::LabelImageToTetrahedralMeshFilter()
 {
   this->AddOptionalInputName("SizingImage");
+  this->AddOptionalInputName("RegionOfInterest");
   this->SetNumberOfRequiredOutputs(3);
   for (DataObjectPointerArraySizeType n = 0; n < 3; ++n)
   {
@@ -118,6 +124,35 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetComputedSizingIm
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetRegionOfInterest(const MaskImageType * mask)
+{
+  this->ProcessObject::SetInput("RegionOfInterest", const_cast<MaskImageType *>(mask));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetRegionOfInterest() const -> const MaskImageType *
+{
+  return dynamic_cast<const MaskImageType *>(this->ProcessObject::GetInput("RegionOfInterest"));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetLabelSizes(const LabelSizesType & sizes)
+{
+  m_LabelSizes = sizes;
+  this->Modified();
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetLabelSizes(const std::string & text)
+{
+  this->SetLabelSizes(mmm::ParseLabelSizeRules(text));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 mmm::SizingOptions
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSizingOptions() const
 {
@@ -127,6 +162,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSizingOptions() 
   options.gradientLimit = m_GradientLimit;
   options.minimumSize = m_MinimumSize;
   options.maximumSize = m_MaximumSize;
+  options.maximumVolume = m_MaximumVolume;
+  options.labelSizes = m_LabelSizes;
+  options.region.minimumSize = m_RegionMinimumSize;
+  options.region.maximumSize = m_RegionMaximumSize;
+  options.hasRegion = this->GetRegionOfInterest() != nullptr;
   return options;
 }
 
@@ -139,6 +179,22 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyPreconditions
   {
     itkExceptionMacro("The radius is " << m_Radius << " mm. It must be finite and not negative.");
   }
+  if (m_SizingImageReplaces && this->GetSizingImage() == nullptr)
+  {
+    itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
+  }
+  if (m_AirMargin < 0.0 || std::isinf(m_AirMargin))
+  {
+    itkExceptionMacro("The air margin is " << m_AirMargin << " mm. It must be finite and not negative.");
+  }
+  if (this->IsFilled() && m_ExteriorLabels.empty())
+  {
+    itkExceptionMacro("The exterior is to be filled, but no label is exterior.");
+  }
+  if (!(m_MaximumMemory > 0.0))
+  {
+    itkExceptionMacro("The largest memory is " << m_MaximumMemory << " GB. It must be positive.");
+  }
   const std::string error = mmm::DescribeError(this->GetSizingOptions());
   if (!error.empty())
   {
@@ -150,22 +206,25 @@ template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyInputInformation() const
 {
-  const auto *            labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
-  const SizingImageType * sizes = this->GetSizingImage();
-  if (labels == nullptr || sizes == nullptr)
-  {
-    return;
-  }
-  if (!mmm::HaveSameGeometry(labels, sizes))
-  {
-    itkExceptionMacro("The sizing image differs from the label image in origin, spacing or direction.");
-  }
-  if (labels->GetLargestPossibleRegion() != sizes->GetLargestPossibleRegion())
-  {
-    itkExceptionMacro("The sizing image has "
-                      << sizes->GetLargestPossibleRegion().GetSize() << " voxels and the label image "
-                      << labels->GetLargestPossibleRegion().GetSize() << ". They must be on the same grid.");
-  }
+  const auto * labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
+  const auto   verify = [&](const ImageBase<3> * image, const char * name) {
+    if (labels == nullptr || image == nullptr)
+    {
+      return;
+    }
+    if (!mmm::HaveSameGeometry(labels, image))
+    {
+      itkExceptionMacro("The " << name << " differs from the label image in origin, spacing or direction.");
+    }
+    if (labels->GetLargestPossibleRegion() != image->GetLargestPossibleRegion())
+    {
+      itkExceptionMacro("The " << name << " has " << image->GetLargestPossibleRegion().GetSize()
+                               << " voxels and the label image " << labels->GetLargestPossibleRegion().GetSize()
+                               << ". They must be on the same grid.");
+    }
+  };
+  verify(this->GetSizingImage(), "sizing image");
+  verify(this->GetRegionOfInterest(), "region of interest");
 }
 
 template <typename TLabelImage, typename TOutputMesh>
@@ -194,6 +253,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateOutputReque
 template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
+try
 {
   // the shares are those of a head of 7 million voxels
   mmm::FilterMonitor monitor(this,
@@ -221,31 +281,46 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
 
   monitor.BeginStage("merging of islands");
   const TLabelImage * input = this->GetInput();
-  const auto          counts = mmm::CountLabels(input);
+  auto                counts = mmm::CountLabels(input);
   this->VerifyLabels(counts);
-  const mmm::GridGeometry geometry(input, input->GetLargestPossibleRegion());
-  auto                    labels = this->MergeIslands(this->MakeGridImage(geometry), monitor);
+  this->VerifyRegionOfInterest(input);
+  const auto domain = this->MakeDomain(input, counts);
+  if (domain != input)
+  {
+    counts = mmm::CountLabels(domain.GetPointer());
+  }
+  this->VerifyLabelSizes(counts);
+  const mmm::GridGeometry geometry(domain, domain->GetLargestPossibleRegion());
+  auto                    labels = this->MergeIslands(this->MakeGridImage(domain, geometry), monitor);
 
   monitor.BeginStage("indicators");
+  for (const auto & entry : mmm::CountLabels(labels.GetPointer()))
+  {
+    m_Labels.push_back(entry.first);
+  }
   auto indicators = this->ComputeIndicators(labels, geometry, monitor);
   labels = nullptr;
 
   monitor.BeginStage("sizing");
   auto sizing = this->ComputeSizing(indicators, geometry, monitor);
 
-  this->BuildMeshes(indicators, sizing, monitor);
+  this->BuildMeshes(domain, indicators, sizing, monitor);
   this->FindVanishedLabels(counts);
 
   if (m_KeepIntermediates)
   {
     for (auto & image : indicators)
     {
-      this->RestoreGeometry(image, geometry.GetUnit());
+      this->RestoreGeometry(domain, image, geometry.GetUnit());
     }
-    this->RestoreGeometry(sizing, geometry.GetUnit());
+    this->RestoreGeometry(domain, sizing, geometry.GetUnit());
     m_IndicatorImages = std::move(indicators);
     m_ComputedSizingImage = sizing;
   }
+}
+catch (const std::bad_alloc &)
+{
+  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()) + ", in stage \"" + m_StageLog.current + "\",");
 }
 
 template <typename TLabelImage, typename TOutputMesh>
@@ -260,7 +335,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
   }
   const bool isAllExterior =
     std::all_of(counts.begin(), counts.end(), [this](const VoxelCountsType::value_type & entry) {
-      return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), entry.first) != m_ExteriorLabels.end();
+      return this->IsExterior(entry.first);
     });
   if (isAllExterior)
   {
@@ -269,12 +344,103 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabelSizes(const VoxelCountsType & counts) const
+{
+  LabelsType labels;
+  for (const auto & entry : counts)
+  {
+    if (!this->IsExterior(entry.first) || entry.first == this->GetExteriorLabel(counts))
+    {
+      labels.push_back(entry.first);
+    }
+  }
+  const std::string error = mmm::DescribeUnknownLabels(m_LabelSizes, labels);
+  if (!error.empty())
+  {
+    itkExceptionMacro(<< error);
+  }
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyRegionOfInterest(const TLabelImage * input) const
+{
+  const MaskImageType * mask = this->GetRegionOfInterest();
+  if (mask == nullptr)
+  {
+    return;
+  }
+  const auto &                            region = input->GetLargestPossibleRegion();
+  ImageRegionConstIterator<TLabelImage>   label(input, region);
+  ImageRegionConstIterator<MaskImageType> inRegion(mask, region);
+  for (; !label.IsAtEnd(); ++label, ++inRegion)
+  {
+    if (inRegion.Get() != 0 && (this->IsFilled() || !this->IsExterior(static_cast<LabelType>(label.Get()))))
+    {
+      return;
+    }
+  }
+  itkExceptionMacro("No voxel of the region of interest is in what is meshed.");
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+bool
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::IsExterior(LabelType label) const
+{
+  return std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), label) != m_ExteriorLabels.end();
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+bool
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::IsFilled() const
+{
+  return m_FillExterior || !std::isnan(m_AirMargin);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorLabel(const VoxelCountsType & counts) const
+  -> LabelType
+{
+  const auto isThere = [&](LabelType label) { return counts.count(label) != 0; };
+  const auto first = std::find_if(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), isThere);
+  return first == m_ExteriorLabels.end() ? m_ExteriorLabels.front() : *first;
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeDomain(const TLabelImage *     input,
+                                                                        const VoxelCountsType & counts) const ->
+  typename TLabelImage::ConstPointer
+{
+  if (std::isnan(m_AirMargin))
+  {
+    return input;
+  }
+  using PixelType = typename TLabelImage::PixelType;
+  const LabelType label = this->GetExteriorLabel(counts);
+  const auto      air = static_cast<PixelType>(label);
+  if (static_cast<std::int64_t>(air) != label)
+  {
+    itkExceptionMacro("The label of air, " << label << ", is beyond the range of the image's pixels.");
+  }
+  const auto box =
+    mmm::BoxOf(input, [this](PixelType pixel) { return !this->IsExterior(static_cast<LabelType>(pixel)); });
+  return mmm::CopyRegion(input, mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin), air);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 int
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorIndex() const
 {
+  if (this->IsFilled())
+  {
+    return -1;
+  }
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
-    if (std::find(m_ExteriorLabels.begin(), m_ExteriorLabels.end(), m_Labels[n]) != m_ExteriorLabels.end())
+    if (this->IsExterior(m_Labels[n]))
     {
       return static_cast<int>(n);
     }
@@ -284,10 +450,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetExteriorIndex() 
 
 template <typename TLabelImage, typename TOutputMesh>
 typename TLabelImage::Pointer
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridImage(const mmm::GridGeometry & geometry)
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridImage(const TLabelImage *       domain,
+                                                                           const mmm::GridGeometry & geometry) const
 {
   const auto image = TLabelImage::New();
-  image->Graft(this->GetInput());
+  image->Graft(domain);
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   return image;
 }
@@ -302,7 +469,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridSizingImage
   {
     return nullptr;
   }
-  const auto sizes = mmm::ReadSizingImage(input, geometry);
+  const auto extended = mmm::CopyRegion(input, geometry.GetRegion(), mmm::SizingControl::NoLimit);
+  const auto sizes = mmm::ReadSizingImage(extended.GetPointer(), geometry);
   const auto image = SizingImageType::New();
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
   image->Allocate();
@@ -311,16 +479,33 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridSizingImage
 }
 
 template <typename TLabelImage, typename TOutputMesh>
-void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::RestoreGeometry(Image<float, 3> * image, double unit)
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridRegion(const mmm::GridGeometry & geometry) const
+  -> MaskImageType::Pointer
 {
-  const TLabelImage * input = this->GetInput();
-  auto                region = image->GetBufferedRegion();
+  const MaskImageType * input = this->GetRegionOfInterest();
+  if (input == nullptr)
+  {
+    return nullptr;
+  }
+  const auto image = MaskImageType::New();
+  image->Graft(mmm::CopyRegion(input, geometry.GetRegion(), MaskImageType::PixelType(0)).GetPointer());
+  mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
+  return image;
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::RestoreGeometry(const TLabelImage * domain,
+                                                                             Image<float, 3> *   image,
+                                                                             double              unit) const
+{
+  auto region = image->GetBufferedRegion();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    region.SetIndex(axis, region.GetIndex(axis) + input->GetLargestPossibleRegion().GetIndex(axis));
+    region.SetIndex(axis, region.GetIndex(axis) + domain->GetLargestPossibleRegion().GetIndex(axis));
   }
-  image->CopyInformation(input);
+  image->CopyInformation(domain);
   image->SetRegions(region);
   float * values = image->GetBufferPointer();
   std::transform(values, values + region.GetNumberOfPixels(), values, [unit](float value) {
@@ -371,7 +556,6 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeIndicators(c
   filter->SetRadius(geometry.ToGridUnit(m_Radius));
   this->Observe(filter, monitor);
   filter->Update();
-  m_Labels = filter->GetLabels();
   IndicatorImagesType images;
   for (const auto label : m_Labels)
   {
@@ -393,6 +577,13 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeSizing(const
     filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
   }
   filter->SetSizingImage(this->MakeGridSizingImage(geometry));
+  filter->SetSizingImageReplaces(m_SizingImageReplaces);
+  filter->SetRegionOfInterest(this->MakeGridRegion(geometry));
+  filter->SetRegionMinimumSize(geometry.ToGridUnit(m_RegionMinimumSize));
+  filter->SetRegionMaximumSize(geometry.ToGridUnit(m_RegionMaximumSize));
+  filter->SetLabels(m_Labels);
+  filter->SetLabelSizes(mmm::ToGridUnit(m_LabelSizes, geometry));
+  filter->SetMaximumVolume(std::pow(geometry.ToGridUnit(std::cbrt(m_MaximumVolume)), 3));
   filter->SetEpsilon(m_Epsilon);
   filter->SetGradientLimit(m_GradientLimit);
   filter->SetChordTolerance(geometry.ToGridUnit(m_ChordTolerance));
@@ -406,7 +597,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeSizing(const
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const IndicatorImagesType & indicators,
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const TLabelImage *         domain,
+                                                                         const IndicatorImagesType & indicators,
                                                                          const SizingImageType *     sizing,
                                                                          mmm::FilterMonitor &        monitor)
 {
@@ -422,8 +614,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const I
   filter->SetOutsideLabel(m_ExteriorLabels.empty() ? 0 : m_ExteriorLabels.front());
   filter->SetSeed(m_Seed);
   filter->SetSurfaceOnly(m_SurfaceOnly);
-  filter->SetReferenceImage(this->GetInput());
+  filter->SetMaximumNumberOfTetrahedra(m_MaximumNumberOfTetrahedra);
+  filter->SetMaximumMemory(m_MaximumMemory);
+  filter->SetReferenceImage(domain);
   filter->AddObserver(ProgressEvent(), [this, &filter, &monitor](const EventObject &) {
+    m_Report.estimate = filter->GetReport().estimate;
     if (filter->GetCurrentStage() != m_StageLog.current)
     {
       monitor.BeginStage(filter->GetCurrentStage());
@@ -488,6 +683,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   using namespace print_helper;
   Superclass::PrintSelf(os, indent);
   os << indent << "ExteriorLabels: " << m_ExteriorLabels << std::endl;
+  os << indent << "FillExterior: " << (m_FillExterior ? "On" : "Off") << std::endl;
+  os << indent << "AirMargin: " << m_AirMargin << std::endl;
   os << indent << "MinimumIslandSize: " << m_MinimumIslandSize << std::endl;
   os << indent << "Radius: " << m_Radius << std::endl;
   os << indent << "Epsilon: " << m_Epsilon << std::endl;
@@ -495,8 +692,15 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "GradientLimit: " << m_GradientLimit << std::endl;
   os << indent << "MinimumSize: " << m_MinimumSize << std::endl;
   os << indent << "MaximumSize: " << m_MaximumSize << std::endl;
+  os << indent << "MaximumVolume: " << m_MaximumVolume << std::endl;
+  os << indent << "LabelSizes: " << mmm::ToText(m_LabelSizes) << std::endl;
+  os << indent << "SizingImageReplaces: " << (m_SizingImageReplaces ? "On" : "Off") << std::endl;
+  os << indent << "RegionMinimumSize: " << m_RegionMinimumSize << std::endl;
+  os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
+  os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;

@@ -138,17 +138,6 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  using CellType = typename MeshType::CellType;
-  using CellIdentifier = typename MeshType::CellIdentifier;
-  using PointIdentifier = typename MeshType::PointIdentifier;
-
-  /** The positions of the points, and the identifiers where they are not 0, 1, 2 and so on. */
-  void
-  ReadPoints(std::vector<mmm::Vector> & points, std::vector<PointIdentifier> & identifiers) const;
-
-  int
-  ReadLabel(CellIdentifier cell) const;
-
   MeshConstPointer m_Mesh;
   double           m_SmallestAngle{ 10.0 };
   double           m_LargestAngle{ 165.0 };

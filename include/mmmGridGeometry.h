@@ -45,6 +45,12 @@ public:
     return m_Grid;
   }
 
+  const RegionType &
+  GetRegion() const
+  {
+    return m_Region;
+  }
+
   /** The grid's unit of length in the image's unit, usually mm. */
   double
   GetUnit() const

@@ -83,11 +83,19 @@ public:
     return m_Band;
   }
 
-  /** Makes the values the signed distance to their own zero level: nodes beside it by value and slope, or, where that
-   * is not regular, from where the level crosses the grid's edges; the rest of the band by the Eikonal equation
-   * (first-order Godunov). */
+  /** What the values are before they become distances: for nodes beside the zero level, near distances give their
+   * distance by value and slope, so that curved levels stay where they are; others only by where the level crosses the
+   * grid's edges. */
+  enum class Before
+  {
+    NearDistances,
+    AnyFunction
+  };
+
+  /** Makes the values the signed distance to their own zero level: nodes beside it first, the rest of the band by the
+   * Eikonal equation (first-order Godunov). */
   void
-  Redistance();
+  Redistance(Before before);
 
   /** Moves the zero level by the difference between its mean curvature and that curvature's local average, until it
    * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. It

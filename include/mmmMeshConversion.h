@@ -48,6 +48,24 @@ SetMeshPoints(TMesh * mesh, const GridGeometry & geometry, const std::vector<Vec
   mesh->SetPoints(container);
 }
 
+/** Gives an itk::Mesh points that are in physical space already. */
+template <typename TMesh>
+void
+SetMeshPoints(TMesh * mesh, const std::vector<Vector> & points)
+{
+  const auto container = TMesh::PointsContainer::New();
+  container->Reserve(points.size());
+  auto & values = container->CastToSTLContainer();
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      values[p][axis] = static_cast<typename TMesh::PointType::ValueType>(points[p][axis]);
+    }
+  }
+  mesh->SetPoints(container);
+}
+
 /** Gives an itk::Mesh cells of type TCell. Where `isReversed(cell)`, two of its corners are swapped. */
 template <typename TCell, typename TMesh, typename TCorners, typename TPredicate>
 void

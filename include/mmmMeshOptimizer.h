@@ -25,6 +25,8 @@
 
 namespace mmm
 {
+class InterfaceConstraint;
+
 struct OptimizationParameters
 {
   /** Tetrahedra with a dihedral angle below this, in degrees, are poor: all is done to improve them, on interfaces too.
@@ -32,6 +34,8 @@ struct OptimizationParameters
   double poorAngle{ 18.0 };
   /** Below this, edges and faces within a material are flipped. */
   double flipAngle{ 30.0 };
+  /** Triangles of interfaces with a radius ratio below this are poor. */
+  double poorTriangle{ 0.8 };
   /** Rounds of local changes and smoothing; fewer if nothing is changed any more. */
   int rounds{ 6 };
   /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */
@@ -61,6 +65,15 @@ MultiMaterialMeshing_EXPORT OptimizationReport
 OptimizeMesh(const IndicatorSet &           indicators,
              Material                       exterior,
              const std::vector<Cell> &      cells,
+             const OptimizationParameters & parameters,
+             std::vector<Vector> &          points,
+             TetrahedralMesh &              mesh,
+             Monitor &                      monitor);
+
+/** The same, with the points of interfaces where a constraint wants them. */
+OptimizationReport
+OptimizeMesh(const InterfaceConstraint &    constraint,
+             Material                       exterior,
              const OptimizationParameters & parameters,
              std::vector<Vector> &          points,
              TetrahedralMesh &              mesh,

@@ -56,6 +56,7 @@ struct TetrahedronStatistics
   std::size_t count{ 0 };
   /** The sum of the absolute volumes. */
   double volume{ 0.0 };
+  double largestVolume{ 0.0 };
   /** Tetrahedra that are flat or turned over. */
   std::size_t nonPositive{ 0 };
 
@@ -91,12 +92,35 @@ struct LabelQuality
 /** A tetrahedron with a dihedral angle beyond the bounds. */
 struct PoorTetrahedron
 {
+  /** Where it is stuck. Points of interfaces, the outside among them, can be moved on them only. */
+  enum class Place
+  {
+    /** No corner is on an interface. */
+    Interior,
+    /** Some are, not all. */
+    BesideInterface,
+    /** All corners are on interfaces, but no face: it spans a thin layer, or lies flat under the surface. */
+    AcrossLayer,
+    /** All corners are on interfaces, and at least a face. */
+    OnInterface
+  };
+  Place
+  GetPlace() const
+  {
+    return boundaryCorners == 0  ? Place::Interior
+           : boundaryCorners < 4 ? Place::BesideInterface
+           : boundaryFaces == 0  ? Place::AcrossLayer
+                                 : Place::OnInterface;
+  }
+
   std::size_t index{ 0 };
   int         label{ 0 };
   /** The other labels that it shares a face with, ascending. */
   std::vector<int> neighborLabels;
   /** Its faces on interfaces, the outside among them. */
   int boundaryFaces{ 0 };
+  /** Its corners on interfaces. */
+  int boundaryCorners{ 0 };
   /** The mean of its points. */
   Vector center{ Vector::Zero() };
   /** In degrees. */
@@ -144,6 +168,10 @@ ComputeMeshQuality(const std::vector<Vector> &      points,
                    const std::vector<Tetrahedron> & tetrahedra,
                    const std::vector<int> &         labels,
                    const MeshQualityOptions &       options = MeshQualityOptions());
+
+/** "interior", "beside an interface", "across a thin layer" or "on an interface". */
+const MultiMaterialMeshing_EXPORT char *
+ToString(PoorTetrahedron::Place place);
 
 /** Prints the report as a table, with a line for each label. */
 MultiMaterialMeshing_EXPORT std::ostream &

@@ -19,6 +19,7 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmMeshEstimate.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmParticles.h"
 #include "mmmInterfaceMesh.h"
@@ -41,6 +42,8 @@ struct MeshingParameters
 /** What became of the particles of one dimension. */
 struct MeshingReport
 {
+  /** What was expected before the work began. */
+  MeshEstimate                    estimate;
   std::array<std::size_t, 4>      particles{ { 0, 0, 0, 0 } };
   std::array<RelaxationReport, 4> relaxation;
   /** Interface triangles of which a corner does not lie on a cell with both of the triangle's materials. */

@@ -22,6 +22,7 @@
 #include "mmmIndicatorSet.h"
 #include "mmmInterfaceSamples.h"
 #include "mmmMonitor.h"
+#include "mmmSizingControl.h"
 
 namespace mmm
 {
@@ -36,6 +37,8 @@ struct SizingParameters
   double gradientLimit{ 0.5 };
   double minimumSize{ 1.0 };
   double maximumSize{ 1e30 };
+  /** What no size exceeds, whatever else is asked for. */
+  double sizeLimit{ 1e30 };
 };
 
 /** \brief The sizing field h: the edge length that is asked for, at every grid node.
@@ -44,18 +47,17 @@ struct SizingParameters
  * [minimumSize, maximumSize]. The local feature size is the distance to the medial axes of all materials. In between
  * h(x) = min over y of h0(y) + gradientLimit * |x - y|, the largest field below h0 whose gradient is limited.
  *
- * `userSize`, if not empty, holds a size per grid node, which h never exceeds. `exterior` is the material that is not
- * meshed, or -1. */
+ * `control` is what users add. `exterior` is the material that is not meshed, or -1. */
 MultiMaterialMeshing_EXPORT std::vector<float>
-ComputeSizing(const IndicatorSet &       indicators,
-              int                        exterior,
-              const SizingParameters &   parameters,
-              const std::vector<float> & userSize,
-              Monitor &                  monitor);
+                            ComputeSizing(const IndicatorSet &     indicators,
+                                          int                      exterior,
+                                          const SizingParameters & parameters,
+                                          const SizingControl &    control,
+                                          Monitor &                monitor);
 
 /** The largest magnitude of the interface's principal curvatures at a sample. */
 MultiMaterialMeshing_EXPORT double
-                            LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample);
+LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample);
 } // namespace mmm
 
 #endif

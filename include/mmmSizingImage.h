@@ -19,11 +19,13 @@
 #define mmmSizingImage_h
 
 #include "mmmGridGeometry.h"
+#include "mmmSizingControl.h"
 
 #include "itkImageRegionConstIterator.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace mmm
@@ -34,7 +36,7 @@ template <typename TSizingImage>
 std::vector<float>
 ReadSizingImage(const TSizingImage * image, const GridGeometry & geometry)
 {
-  constexpr double largest = 1e30; // infinity would spread as not-a-number
+  constexpr double largest = SizingControl::NoLimit; // infinity would spread as not-a-number
 
   std::vector<float>                          sizes;
   const auto &                                region = image->GetLargestPossibleRegion();
@@ -51,6 +53,22 @@ ReadSizingImage(const TSizingImage * image, const GridGeometry & geometry)
     sizes.push_back(static_cast<float>(std::min(geometry.ToGridUnit(size), largest)));
   }
   return sizes;
+}
+
+/** Whether each pixel of a mask is not 0. */
+template <typename TMaskImage>
+std::vector<std::uint8_t>
+ReadMask(const TMaskImage * image)
+{
+  std::vector<std::uint8_t>                 mask;
+  const auto &                              region = image->GetLargestPossibleRegion();
+  itk::ImageRegionConstIterator<TMaskImage> it(image, region);
+  mask.reserve(region.GetNumberOfPixels());
+  for (; !it.IsAtEnd(); ++it)
+  {
+    mask.push_back(it.Get() != 0);
+  }
+  return mask;
 }
 } // namespace mmm
 

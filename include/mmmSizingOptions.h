@@ -20,6 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmGridGeometry.h"
+#include "mmmSizeRule.h"
 #include "mmmSizing.h"
 
 #include <limits>
@@ -36,14 +37,26 @@ struct SizingOptions
   double gradientLimit{ 0.5 };
   double minimumSize{ std::numeric_limits<double>::quiet_NaN() };
   double maximumSize{ std::numeric_limits<double>::infinity() };
+  /** The volume that no tetrahedron is to exceed, in the cube of the image's unit. */
+  double         maximumVolume{ std::numeric_limits<double>::infinity() };
+  LabelSizeRules labelSizes;
+  /** The bounds in the region of interest, and whether there is one. */
+  SizeRule region;
+  bool     hasRegion{ false };
 };
 
 /** What is wrong with the options, in a sentence; empty if nothing is. */
 MultiMaterialMeshing_EXPORT std::string
                             DescribeError(const SizingOptions & options);
 
-/** The options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or the
- * largest size, whichever is smaller. */
+/** Rules in the grid's unit. */
+MultiMaterialMeshing_EXPORT SizeRule
+ToGridUnit(const SizeRule & rule, const GridGeometry & geometry);
+MultiMaterialMeshing_EXPORT LabelSizeRules
+ToGridUnit(const LabelSizeRules & rules, const GridGeometry & geometry);
+
+/** The general options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or
+ * the largest size, whichever is smaller. */
 MultiMaterialMeshing_EXPORT SizingParameters
 ToGridUnit(const SizingOptions & options, const GridGeometry & geometry);
 } // namespace mmm

@@ -48,8 +48,8 @@ struct PropagatedField
  * grid, one an octant, so that values are exact wherever the right source arrives; plain upwind schemes are off by up
  * to 30 % near sources. Nodes that nothing reaches keep infinity and NoSource.
  *
- * With `nodeValues`, which holds a value per node or nothing, each node is a source, too; its number is that of the
- * sources plus the node's. */
+ * With `nodeValues`, which holds a value per node or nothing, each node with a finite value is a source, too; its
+ * number is that of the sources plus the node's. */
 MultiMaterialMeshing_EXPORT PropagatedField
 PropagateSources(const Grid &                grid,
                  const std::vector<Source> & sources,

@@ -46,11 +46,25 @@ EdgeCollapser::MaterialsAround(PointId p, const std::vector<Id> & star) const
   return around;
 }
 
-/** Pulls point u into point v. A point of the interior may go anywhere; one of a surface along the surface. */
 bool
 EdgeCollapser::Collapse(Id t, PointId u, PointId v)
 {
   m_State.complex.GetStar(u, m_Star);
+  const double before = m_State.WorstOf(m_Star);
+  return this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, OptimizerState::TriangleFloor(before));
+}
+
+bool
+EdgeCollapser::CollapseForTriangles(Id t, PointId u, PointId v, double radiusRatio)
+{
+  m_State.complex.GetStar(u, m_Star);
+  return this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), radiusRatio);
+}
+
+/** All new tetrahedra have to be better than `enough`, triangles at least as good as `floor`. */
+bool
+EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough, double floor)
+{
   if (m_Star.size() > 60)
   {
     return false;
@@ -60,10 +74,8 @@ EdgeCollapser::Collapse(Id t, PointId u, PointId v)
   {
     return false; // on a junction
   }
-  const double before = m_State.WorstOf(m_Star);
   if (aroundU.size() == 2)
   {
-    const double floor = OptimizerState::TriangleFloor(before);
     if (u >= m_State.cells.size() || m_State.cells[u].Dimension() != 2 || v >= m_State.cells.size() ||
         !m_State.cells[v].Includes(m_State.cells[u]) || !this->MayCollapseOnInterface(t, u, v, aroundU, floor))
     {
@@ -79,7 +91,7 @@ EdgeCollapser::Collapse(Id t, PointId u, PointId v)
       continue;
     }
     std::replace(corners.begin(), corners.end(), u, v);
-    if (!(m_State.Quality(corners, m_State.complex.MaterialOf(s)) > before + OptimizerState::LeastGain))
+    if (!(m_State.Quality(corners, m_State.complex.MaterialOf(s)) > enough))
     {
       return false;
     }

@@ -34,8 +34,13 @@ public:
    * anywhere; one of a surface along the surface, by the link condition. */
   bool
   Collapse(OptimizerState::Id t, PointId u, PointId v);
+  /** Pulls point u into point v, if all triangles of the interface around u are better than a radius ratio then. */
+  bool
+  CollapseForTriangles(OptimizerState::Id t, PointId u, PointId v, double radiusRatio);
 
 private:
+  bool
+  CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, double floor);
   std::vector<Material>
   MaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
   bool

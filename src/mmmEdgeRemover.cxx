@@ -92,9 +92,30 @@ bool
 EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
 {
   m_State.complex.GetRing(t, a, b, m_Ring);
+  const double before = m_State.WorstOf(m_Ring.tetrahedra);
+  const bool   mayFlip = before < QualityOfAngle(m_State.parameters.poorAngle);
+  return this->ReplaceRing(a,
+                           b,
+                           before + OptimizerState::LeastGain,
+                           mayFlip ? OptimizerState::TriangleFloor(before) : OptimizerState::Unreachable);
+}
+
+bool
+EdgeRemover::FlipForTriangles(Id t, PointId a, PointId b)
+{
+  m_State.complex.GetRing(t, a, b, m_Ring);
+  const double before = m_State.WorstOf(m_Ring.tetrahedra);
+  return this->ReplaceRing(a, b, m_State.EnoughBesideTriangles(before), 1.0);
+}
+
+/** The new tetrahedra have to be better than `enough`. An interface edge is flipped if the worse of its triangles gets
+ * better, or is at least as good as `floor`. */
+bool
+EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
+{
   const auto & ring = m_Ring.tetrahedra;
   const int    count = int(ring.size());
-  if (count > LongestRing - 2 || (m_Ring.closed && count < 3))
+  if (count > LongestRing - 2 || (m_Ring.closed && count < 3) || enough < -0.5)
   {
     return false;
   }
@@ -104,11 +125,6 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   for (const Id r : ring)
   {
     materials.push_back(m_State.complex.MaterialOf(r));
-  }
-  const double before = m_State.WorstOf(ring);
-  if (before < -0.5)
-  {
-    return false;
   }
   if (TetrahedronVolume(m_State.points[a], m_State.points[b], m_State.points[link[0]], m_State.points[link[1]]) < 0.0)
   {
@@ -147,8 +163,7 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
       return;
     }
     triangles.clear();
-    after =
-      std::min(after, this->TriangulateLink(polygon, a, b, material, before + OptimizerState::LeastGain, triangles));
+    after = std::min(after, this->TriangulateLink(polygon, a, b, material, enough, triangles));
     for (const auto & triangle : triangles)
     {
       fresh.push_back({ { { triangle[0], triangle[1], triangle[2], b } }, material });
@@ -159,19 +174,18 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   {
     add(link, materials[0]);
   }
-  else if (cuts.size() == 2 && before < QualityOfAngle(m_State.parameters.poorAngle))
+  else if (cuts.size() == 2 && floor < OptimizerState::Unreachable)
   {
     const PointId  c = link[cuts[0]];
     const PointId  d = link[cuts[1]];
     const Material one = materials[cuts[0]];
     const Material two = m_Ring.closed ? materials[cuts[1] % count] : m_State.exterior;
-    if (!this->MayFlip(a, b, c, d, one, two, OptimizerState::TriangleFloor(before)) ||
-        (!m_Ring.closed && this->AreNeighbours(c, d)))
+    if (!this->MayFlip(a, b, c, d, one, two, floor) || (!m_Ring.closed && this->AreNeighbours(c, d)))
     {
       return false;
     }
     add(std::vector<PointId>(link.begin() + cuts[0], link.begin() + cuts[1] + 1), one);
-    if (m_Ring.closed && after > before)
+    if (m_Ring.closed && after > enough)
     {
       std::vector<PointId> polygon(link.begin() + cuts[1], link.end());
       polygon.insert(polygon.end(), link.begin(), link.begin() + cuts[0] + 1);
@@ -182,7 +196,7 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   {
     return false;
   }
-  if (!(after > before + OptimizerState::LeastGain))
+  if (!(after > enough))
   {
     return false;
   }
@@ -227,7 +241,7 @@ EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, M
   }
   const double worstBefore = std::min(TriangleRadiusRatio(pa, pb, pc), TriangleRadiusRatio(pa, pb, pd));
   const double worstAfter = std::min(TriangleRadiusRatio(pa, pc, pd), TriangleRadiusRatio(pb, pc, pd));
-  return worstAfter >= std::min(worstBefore, floor);
+  return worstAfter >= std::min(worstBefore + OptimizerState::LeastGain, floor);
 }
 
 /** Two tetrahedra of one material become three around a new edge. */

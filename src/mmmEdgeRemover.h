@@ -35,6 +35,9 @@ public:
   /** Takes the edge ab of tetrahedron t out, if that makes the worst tetrahedron around it better. */
   bool
   RemoveEdge(OptimizerState::Id t, PointId a, PointId b);
+  /** Flips the edge ab of an interface if that makes the worse one of its two triangles better. */
+  bool
+  FlipForTriangles(OptimizerState::Id t, PointId a, PointId b);
   /** Takes a face out: two tetrahedra of one material become three around a new edge. */
   bool
   RemoveFace(OptimizerState::Id t, int face);
@@ -45,6 +48,8 @@ public:
 private:
   static constexpr int LongestRing = 9;
 
+  bool
+  ReplaceRing(PointId a, PointId b, double enough, double floor);
   double
   TriangulateLink(const std::vector<PointId> & polygon,
                   PointId                      a,

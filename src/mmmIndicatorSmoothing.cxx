@@ -135,7 +135,7 @@ OffsetAndBack(LevelSet levelSet, double offset)
   {
     value += float(offset);
   }
-  levelSet.Redistance();
+  levelSet.Redistance(LevelSet::Before::NearDistances);
   std::vector<float> values = BandValues(levelSet);
   for (float & value : values)
   {
@@ -244,10 +244,10 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
     levelSet.SelectBand(flowBand);
     const auto margins = CentreMargins(image, levelSet);
     AntiAlias(levelSet, margins);
-    levelSet.Redistance();
+    levelSet.Redistance(LevelSet::Before::NearDistances);
     Tighten(levelSet, margins, radius);
     levelSet.SelectBand(IndicatorBandWidth);
-    levelSet.Redistance();
+    levelSet.Redistance(LevelSet::Before::NearDistances);
   }
 
   indicator.values.resize(std::size_t(indicator.size[0]) * indicator.size[1] * indicator.size[2]);

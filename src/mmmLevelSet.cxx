@@ -160,7 +160,7 @@ LevelSet::ComputeOverBand(const TValue & valueAt, std::vector<float> & result) c
 }
 
 void
-LevelSet::Redistance()
+LevelSet::Redistance(Before before)
 {
   const std::ptrdiff_t  sx = 1;
   const std::ptrdiff_t  sy = m_Size[0];
@@ -209,7 +209,8 @@ LevelSet::Redistance()
       const float gz = (v[sz] - v[-sz]) / (2.0f * spacing[2]);
       const float slope = std::sqrt(gx * gx + gy * gy + gz * gz);
       const float curved = std::abs(v[0]) / slope;
-      const bool  isRegular = slope > 0.7f && curved < 1.3f * straight && straight < 1.3f * curved;
+      const bool  isRegular =
+        before == Before::NearDistances && slope > 0.7f && curved < 1.3f * straight && straight < 1.3f * curved;
       return isRegular ? curved : straight;
     },
     distance);

@@ -19,11 +19,14 @@
 
 #include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
+#include "mmmIndicatorConstraint.h"
 #include "mmmMeshOptimizerSmoothing.h"
 #include "mmmSideChanger.h"
+#include "mmmTriangleLookup.h"
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 namespace mmm
 {
@@ -88,7 +91,74 @@ public:
     return changes;
   }
 
+  /** Works on all triangles of interfaces below a radius ratio, worst first. Returns the number of changes. */
+  std::size_t
+  ImproveTriangles(double radiusRatio)
+  {
+    struct Entry
+    {
+      double radiusRatio;
+      Id     tetrahedron;
+      int    face;
+    };
+    std::vector<Entry> bad;
+    for (Id t = 0; t < m_State.complex.Size(); ++t)
+    {
+      for (int f = 0; f < 4 && m_State.complex.IsAlive(t) && !m_State.IsExterior(t); ++f)
+      {
+        const double r = this->RadiusRatioOfInterface(t, f);
+        if (r < radiusRatio)
+        {
+          bad.push_back({ r, t, f });
+        }
+      }
+    }
+    std::sort(bad.begin(), bad.end(), [](const Entry & x, const Entry & y) {
+      return std::tie(x.radiusRatio, x.tetrahedron, x.face) < std::tie(y.radiusRatio, y.tetrahedron, y.face);
+    });
+    std::size_t changes = 0;
+    for (const auto & entry : bad)
+    {
+      if (m_State.complex.IsAlive(entry.tetrahedron) &&
+          this->RadiusRatioOfInterface(entry.tetrahedron, entry.face) < radiusRatio)
+      {
+        changes += this->ImproveTriangle(entry.tetrahedron, entry.face);
+      }
+    }
+    return changes;
+  }
+
 private:
+  /** The radius ratio of a face on an interface; that of other faces does not count. */
+  double
+  RadiusRatioOfInterface(Id t, int face) const
+  {
+    if (!m_State.complex.IsInterface(t, face))
+    {
+      return 1.0;
+    }
+    const Triangle corners = FaceOf(m_State.complex.Corners(t), face);
+    return TriangleRadiusRatio(m_State.points[corners[0]], m_State.points[corners[1]], m_State.points[corners[2]]);
+  }
+
+  bool
+  ImproveTriangle(Id t, int face)
+  {
+    const Triangle corners = FaceOf(m_State.complex.Corners(t), face);
+    const double   radiusRatio = this->RadiusRatioOfInterface(t, face) + OptimizerState::LeastGain;
+    for (int c = 0; c < 3; ++c)
+    {
+      const PointId a = corners[c];
+      const PointId b = corners[(c + 1) % 3];
+      if (m_EdgeRemover.FlipForTriangles(t, a, b) || m_EdgeCollapser.CollapseForTriangles(t, a, b, radiusRatio) ||
+          m_EdgeCollapser.CollapseForTriangles(t, b, a, radiusRatio))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   bool
   CollapseAny(Id t)
   {
@@ -116,22 +186,36 @@ OptimizeMesh(const IndicatorSet &           indicators,
              TetrahedralMesh &              mesh,
              Monitor &                      monitor)
 {
+  return OptimizeMesh(IndicatorConstraint(indicators, exterior, cells), exterior, parameters, points, mesh, monitor);
+}
+
+OptimizationReport
+OptimizeMesh(const InterfaceConstraint &    constraint,
+             Material                       exterior,
+             const OptimizationParameters & parameters,
+             std::vector<Vector> &          points,
+             TetrahedralMesh &              mesh,
+             Monitor &                      monitor)
+{
   OptimizationReport report;
   const double       flipQuality = QualityOfAngle(parameters.flipAngle);
   const double       poorQuality = QualityOfAngle(parameters.poorAngle);
-  report.moves += PointSmoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials).SmoothAll();
+  report.moves += PointSmoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials).SmoothAll();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
     std::size_t changes = 0;
     {
-      OptimizerState state{ indicators, exterior, cells, parameters, points, TetrahedralComplex(mesh, points.size()),
+      OptimizerState state{ constraint, exterior, constraint.Cells(),
+                            parameters, points,   TetrahedralComplex(mesh, points.size()),
                             report };
-      changes = ConnectivityImprover(state).Improve(flipQuality, poorQuality);
+      ConnectivityImprover improver(state);
+      changes = improver.ImproveTriangles(parameters.poorTriangle);
+      changes += improver.Improve(flipQuality, poorQuality);
       mesh = state.complex.GetMesh();
     }
-    PointSmoother smoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials);
-    report.moves += smoother.SmoothWorst(poorQuality);
+    PointSmoother smoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials);
+    report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.rounds = round + 1;
     monitor.Report(0.1 + 0.9 * (round + 1) / parameters.rounds);

@@ -29,22 +29,28 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** How much an interface triangle's radius ratio counts against a tetrahedron's. */
-constexpr double TriangleWeight = 1.0;
+/** How much an interface triangle counts against a tetrahedron. */
+constexpr double TriangleWeight = 8.0;
+/** The worth of a triangle by its radius ratio: the worse, the more a gain counts. */
+double
+WorthOfTriangle(double radiusRatio)
+{
+  return radiusRatio - 0.5 / (radiusRatio + 0.05);
+}
 /** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
 constexpr double AngleToKeep = 30.0;
-constexpr double MaximalityTolerance = 1e-2;
+/** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
+constexpr double AngleToLeaveCell = 10.0;
 } // namespace
 
-PointSmoother::PointSmoother(const IndicatorSet &             indicators,
+PointSmoother::PointSmoother(const InterfaceConstraint &      constraint,
                              Material                         exterior,
-                             const std::vector<Cell> &        cells,
                              std::vector<Vector> &            points,
                              const std::vector<Tetrahedron> & tetrahedra,
                              const std::vector<Material> &    materials)
-  : m_Indicators(indicators)
+  : m_Constraint(constraint)
   , m_Exterior(exterior)
-  , m_Cells(cells)
+  , m_Cells(constraint.Cells())
   , m_Points(points)
   , m_Tetrahedra(tetrahedra)
   , m_Materials(materials)
@@ -126,7 +132,7 @@ PointSmoother::ClassifyPoints()
     std::vector<Material> own;
     for (const Material m : m_Cells[p])
     {
-      const Material mapped = m_Indicators.IsPlane(m) ? m_Exterior : m;
+      const Material mapped = m_Constraint.MaterialOf(m);
       if (std::find(own.begin(), own.end(), mapped) == own.end())
       {
         own.push_back(mapped);
@@ -200,9 +206,9 @@ PointSmoother::SmoothAll()
 }
 
 std::size_t
-PointSmoother::SmoothWorst(double quality)
+PointSmoother::SmoothWorst(double quality, double tolerance)
 {
-  return this->MoveByColour([this, quality](PointId p) { return this->MoveUphill(p, quality); });
+  return this->MoveByColour([=](PointId p) { return this->MoveUphill(p, quality, tolerance); });
 }
 
 /** The smallest quality around p if it were at x; the search ends early at one that is not better than `enough`. */
@@ -239,18 +245,34 @@ PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
 }
 
 bool
-PointSmoother::Admit(PointId p, Vector & x) const
+PointSmoother::Admit(PointId p, Vector & x, double slack) const
 {
-  return m_Freedom[p] != Freedom::OnCell ||
-         (m_Indicators.Project(m_Cells[p], x, 1.0) && m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance));
+  if (m_Freedom[p] != Freedom::OnCell)
+  {
+    return true;
+  }
+  Vector onCell = x;
+  if (!m_Constraint.Project(p, onCell))
+  {
+    return false;
+  }
+  const Cell & cell = m_Cells[p];
+  if (std::any_of(cell.begin(), cell.end(), [this](Material m) { return m_Constraint.MaterialOf(m) != m; }))
+  {
+    slack = 0.0; // borders and creases are sharp
+  }
+  const double distance = (x - onCell).norm();
+  x = distance > slack ? Vector(onCell + slack / distance * (x - onCell)) : x;
+  return true;
 }
 
-/** Moves p to the target, or its projection, if all around gets better than `worst`, which is brought up to date. */
+/** Moves p to the target, or as near to it as its cell and the slack allow, if all around gets better than `worst`,
+ * which is brought up to date. */
 bool
-PointSmoother::TryMove(PointId p, const Vector & target, double & worst)
+PointSmoother::TryMove(PointId p, const Vector & target, double slack, double & worst)
 {
   Vector x = target;
-  if (!this->Admit(p, x))
+  if (!this->Admit(p, x, slack))
   {
     return false;
   }
@@ -290,7 +312,7 @@ PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
   return (a + b + c) / 3.0 - height / area * normal;
 }
 
-/** The sum of the radius ratios around p if it were at x, of tetrahedra and interface triangles. */
+/** The sum of the radius ratios of tetrahedra around p and of the worth of triangles, if p were at x. */
 double
 PointSmoother::TotalAround(PointId p, const Vector & x) const
 {
@@ -311,12 +333,12 @@ PointSmoother::TotalAround(PointId p, const Vector & x) const
   }
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
-    total += TriangleWeight * TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]);
+    total += TriangleWeight * WorthOfTriangle(TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]));
   }
   return total;
 }
 
-/** A step uphill in the sum of radius ratios. Where the worst tetrahedron around is good, it may lose a little. */
+/** A step uphill in what TotalAround() gives. Where the worst tetrahedron around is good, it may lose a little. */
 bool
 PointSmoother::MoveUphillOnAverage(PointId p)
 {
@@ -342,17 +364,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   }
   if (m_Freedom[p] == Freedom::OnCell)
   {
-    const Cell & cell = m_Cells[p];
-    if (cell.Dimension() == 2)
-    {
-      const Vector normal = m_Indicators.Normal(cell, from);
-      gradient -= normal * normal.dot(gradient);
-    }
-    else if (cell.Dimension() == 1)
-    {
-      const Vector tangent = m_Indicators.Tangent(cell, from);
-      gradient = tangent * tangent.dot(gradient);
-    }
+    gradient = m_Constraint.AlongCell(p, from, gradient);
   }
   const double length = gradient.norm();
   if (!(length > 0.0))
@@ -363,7 +375,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);
-    if (this->Admit(p, x) && this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
+    if (this->Admit(p, x, 0.0) && this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
     {
       m_Points[p] = x;
       return true;
@@ -374,7 +386,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
 
 /** Searches for a place where the worst tetrahedron is better: towards what the worst ones want, then all around. */
 bool
-PointSmoother::MoveUphill(PointId p, double quality)
+PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
 {
   std::array<std::pair<double, std::uint32_t>, 3> poorest;
   constexpr double None = 2.0; // a point of an outer corner may have fewer than three tetrahedra
@@ -408,7 +420,7 @@ PointSmoother::MoveUphill(PointId p, double quality)
     const Vector direction = this->IdealPlace(p, m_Tetrahedra[entry.second]) - m_Points[p];
     for (const double share : { 0.5, 0.2, 0.05 })
     {
-      if (this->TryMove(p, m_Points[p] + share * direction, worst))
+      if (this->TryMove(p, m_Points[p] + share * direction, 0.0, worst))
       {
         moved = true;
         break;
@@ -424,18 +436,26 @@ PointSmoother::MoveUphill(PointId p, double quality)
   {
     size = std::max(size, (m_Points[corner] - m_Points[p]).norm());
   }
-  for (double step = 0.2 * size; step > 0.02 * size; step *= 0.5)
+  for (const double slack : { 0.0, tolerance })
   {
-    for (int d = 0; d < 14; ++d)
+    for (double step = 0.2 * size; step > 0.02 * size; step *= 0.5)
     {
-      // the axes, then the diagonals
-      Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
-      if (d >= 6)
+      for (int d = 0; d < 14; ++d)
       {
-        const int bits = d - 6;
-        direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
+        // the axes, then the diagonals
+        Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
+        if (d >= 6)
+        {
+          const int bits = d - 6;
+          direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
+        }
+        moved = this->TryMove(p, m_Points[p] + step * direction, slack, worst) || moved;
       }
-      moved = this->TryMove(p, m_Points[p] + step * direction, worst) || moved;
+    }
+    // only the flattest ones may take their corners off their cells
+    if (m_Freedom[p] != Freedom::OnCell || worst >= QualityOfAngle(AngleToLeaveCell))
+    {
+      break;
     }
   }
   return moved;

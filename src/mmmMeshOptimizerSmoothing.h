@@ -20,6 +20,7 @@
 
 #include "mmmIncidence.h"
 #include "mmmIndicatorSet.h"
+#include "mmmInterfaceConstraint.h"
 #include "mmmTetrahedralMesh.h"
 
 #include <cstdint>
@@ -68,9 +69,8 @@ public:
     Free
   };
 
-  PointSmoother(const IndicatorSet &             indicators,
+  PointSmoother(const InterfaceConstraint &      constraint,
                 Material                         exterior,
-                const std::vector<Cell> &        cells,
                 std::vector<Vector> &            points,
                 const std::vector<Tetrahedron> & tetrahedra,
                 const std::vector<Material> &    materials);
@@ -78,13 +78,14 @@ public:
   /** Moves all points so that the radius ratios around them grow on average. Returns the number of moves. */
   std::size_t
   SmoothAll();
-  /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. */
+  /** Moves the points of tetrahedra below a quality, where that makes the worst one around them better. Those of nearly
+   * flat tetrahedra may leave their cell by the tolerance. */
   std::size_t
-  SmoothWorst(double quality);
+  SmoothWorst(double quality, double tolerance);
   /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
    * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
   std::size_t
-  BalanceVolumes();
+  BalanceVolumes(const IndicatorSet & indicators);
 
 private:
   void
@@ -106,20 +107,20 @@ private:
   bool
   MoveUphillOnAverage(PointId p);
   bool
-  MoveUphill(PointId p, double quality);
+  MoveUphill(PointId p, double quality, double tolerance);
   double
   WorstAround(PointId p, const Vector & x, double enough) const;
-  /** Brings a place for p back to its cell, if p is on one; false where there is none nearby. */
+  /** Brings a place for p to within `slack` of its cell, if p is on one; false where there is none nearby. */
   bool
-  Admit(PointId p, Vector & x) const;
+  Admit(PointId p, Vector & x, double slack) const;
   bool
-  TryMove(PointId p, const Vector & target, double & worst);
+  TryMove(PointId p, const Vector & target, double slack, double & worst);
   double
-  MeanGap(PointId p) const;
+  MeanGap(const IndicatorSet & indicators, PointId p) const;
   double
   WorstTriangleAround(PointId p, const Vector & x) const;
 
-  const IndicatorSet &             m_Indicators;
+  const InterfaceConstraint &      m_Constraint;
   const Material                   m_Exterior;
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;

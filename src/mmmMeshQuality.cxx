@@ -129,6 +129,7 @@ Add(TetrahedronStatistics & sum, const TetrahedronStatistics & part)
 {
   sum.count += part.count;
   sum.volume += part.volume;
+  sum.largestVolume = std::max(sum.largestVolume, part.largestVolume);
   sum.nonPositive += part.nonPositive;
   sum.largestAngle = std::max(sum.largestAngle, part.largestAngle);
   for (int i = 0; i < 3; ++i)
@@ -212,6 +213,7 @@ MeasureTetrahedra(const std::vector<Vector> &        points,
 
       ++part.count;
       part.volume += std::abs(volume);
+      part.largestVolume = std::max(part.largestVolume, std::abs(volume));
       part.nonPositive += !(volume > 0.0);
       part.largestAngle = std::max(part.largestAngle, largest);
       for (int k = 0; k < 3; ++k)
@@ -303,7 +305,10 @@ MeasureInterfaces(const std::vector<Vector> & points, const MeshTopology & topol
 
 /** Tells for each tetrahedron listed which labels and interfaces it touches. */
 void
-LocatePoorTetrahedra(const MeshTopology & topology, const std::vector<int> & labels, MeshQualityReport & report)
+LocatePoorTetrahedra(const MeshTopology &             topology,
+                     const std::vector<Tetrahedron> & tetrahedra,
+                     const std::vector<int> &         labels,
+                     MeshQualityReport &              report)
 {
   std::unordered_map<std::size_t, PoorTetrahedron *> listed;
   for (auto & tetrahedron : report.poorest)
@@ -314,8 +319,13 @@ LocatePoorTetrahedra(const MeshTopology & topology, const std::vector<int> & lab
   {
     return;
   }
+  std::vector<char> isOnInterface(report.points, 0);
   for (const auto & face : topology.boundaryFaces)
   {
+    for (const auto p : face.points)
+    {
+      isOnInterface[p] = 1;
+    }
     const auto found = listed.find(face.tetrahedron);
     if (found != listed.end())
     {
@@ -331,6 +341,10 @@ LocatePoorTetrahedra(const MeshTopology & topology, const std::vector<int> & lab
     auto & neighbors = tetrahedron.neighborLabels;
     std::sort(neighbors.begin(), neighbors.end());
     neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    for (const auto p : tetrahedra[tetrahedron.index])
+    {
+      tetrahedron.boundaryCorners += isOnInterface[p];
+    }
   }
 }
 
@@ -445,7 +459,7 @@ ComputeMeshQuality(const std::vector<Vector> &      points,
 
   const auto topology = ComputeMeshTopology(points, tetrahedra, regions, distinct.size(), options.computeBettiNumbers);
   MeasureInterfaces(points, topology, report);
-  LocatePoorTetrahedra(topology, labels, report);
+  LocatePoorTetrahedra(topology, tetrahedra, labels, report);
   report.overusedFaces = topology.overusedFaces;
   for (std::size_t region = 0; region < distinct.size(); ++region)
   {
@@ -460,6 +474,22 @@ ComputeMeshQuality(const std::vector<Vector> &      points,
     report.nonManifoldEdges += found.nonManifoldEdges;
   }
   return report;
+}
+
+const char *
+ToString(PoorTetrahedron::Place place)
+{
+  switch (place)
+  {
+    case PoorTetrahedron::Place::Interior:
+      return "interior";
+    case PoorTetrahedron::Place::BesideInterface:
+      return "beside an interface";
+    case PoorTetrahedron::Place::AcrossLayer:
+      return "across a thin layer";
+    default:
+      return "on an interface";
+  }
 }
 
 std::ostream &

@@ -18,6 +18,7 @@
 #include "mmmMesher.h"
 
 #include "mmmConformingDelaunay.h"
+#include "mmmEnclosure.h"
 #include "mmmInteriorParticles.h"
 #include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
@@ -42,7 +43,7 @@ const char * const RelaxationNames[] = { "",
 
 /** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
 constexpr int SurfaceRounds = 5;
-constexpr int SurfaceSweeps = 4;
+constexpr int SurfaceSweeps = 2;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
  * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
 constexpr double RecoverySize = 0.5;
@@ -262,7 +263,7 @@ BuildMesh(const IndicatorSet &      indicators,
   TetrahedralMesh labelled;
   for (int round = 0; round <= SurfaceRounds; ++round)
   {
-    labelled.tetrahedra = DelaunayTetrahedralization(particles.positions);
+    labelled.tetrahedra = TetrahedralizeWithin(indicators.GetGrid(), particles.positions);
     labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
     result.interfaces = ExtractInterfaces(labelled, exterior);
     if (round < SurfaceRounds)
@@ -300,8 +301,12 @@ BuildMesh(const IndicatorSet &      indicators,
   report.particles[3] = all.Size() - particles.Size();
 
   monitor.BeginStage("constrained tetrahedralization");
-  result.points = all.positions;
-  const auto & triangles = result.interfaces.triangles;
+  const auto corners = EnclosingCorners(indicators.GetGrid());
+  result.points.insert(result.points.end(), corners.begin(), corners.end());
+  const std::size_t numberOfFixedPoints = result.points.size();
+  result.points.insert(result.points.end(), all.positions.begin() + particles.Size(), all.positions.end());
+  const std::size_t numberOfPoints = result.points.size();
+  const auto &      triangles = result.interfaces.triangles;
   try
   {
     result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
@@ -309,13 +314,13 @@ BuildMesh(const IndicatorSet &      indicators,
   catch (const itk::ExceptionObject &)
   {
     report.recoveryFailed = true;
-    if (!ConformingTetrahedralization(result.points, particles.Size(), triangles, result.tetrahedra.tetrahedra))
+    if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
     {
       throw;
     }
   }
   result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
-  report.steinerPoints = result.points.size() - all.Size();
+  report.steinerPoints = result.points.size() - numberOfPoints;
   monitor.Report(1.0);
 
   monitor.BeginStage("optimization");

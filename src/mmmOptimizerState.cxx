@@ -20,7 +20,6 @@
 #include "mmmMeshOptimizerSmoothing.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mmm
 {
@@ -28,6 +27,12 @@ double
 OptimizerState::TriangleFloor(double quality)
 {
   return quality < QualityOfAngle(10.0) ? 0.15 : 0.4;
+}
+
+double
+OptimizerState::EnoughBesideTriangles(double before)
+{
+  return std::min(before + LeastGain, QualityOfAngle(15.0));
 }
 
 double
@@ -52,29 +57,5 @@ OptimizerState::WorstOf(const std::vector<Id> & tetrahedra) const
     worst = std::min(worst, this->Quality(t));
   }
   return worst;
-}
-
-double
-OptimizerState::DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const
-{
-  // where the exterior begins at a plane, the plane is the interface
-  if (a == exterior || b == exterior)
-  {
-    if (corner < cells.size())
-    {
-      for (const Material m : cells[corner])
-      {
-        if (indicators.IsPlane(m) && std::abs(indicators.PlaneValue(m, x)) < 1e-9)
-        {
-          return 0.0;
-        }
-      }
-    }
-    if (std::size_t(exterior) >= indicators.GetNumberOfMaterials())
-    {
-      return 1e30;
-    }
-  }
-  return 0.5 * std::abs(indicators.Value(a, x) - indicators.Value(b, x));
 }
 } // namespace mmm

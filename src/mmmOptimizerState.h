@@ -18,6 +18,7 @@
 #ifndef mmmOptimizerState_h
 #define mmmOptimizerState_h
 
+#include "mmmInterfaceConstraint.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmTetrahedralComplex.h"
 
@@ -32,12 +33,19 @@ struct OptimizerState
 
   /** An operation has to raise the worst quality by this much. */
   static constexpr double LeastGain = 1e-6;
+  /** A floor that no triangle reaches. */
+  static constexpr double Unreachable = 2.0;
   /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces: the floor is
    * lower where it is to get rid of a tetrahedron of very low quality. */
   static double
   TriangleFloor(double quality);
 
-  const IndicatorSet &           indicators;
+  /** What the worst tetrahedron has to be better than after a change for the sake of triangles, where it is `before`
+   * now: what is good may get a little worse. */
+  static double
+  EnoughBesideTriangles(double before);
+
+  const InterfaceConstraint &    constraint;
   const Material                 exterior;
   const std::vector<Cell> &      cells;
   const OptimizationParameters & parameters;
@@ -63,10 +71,11 @@ struct OptimizerState
   double
   WorstOf(const std::vector<Id> & tetrahedra) const;
 
-  /** How far the interface of two materials is from a point on it, in units of the smallest voxel spacing. `corner` is
-   * a particle beside it. */
   double
-  DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const;
+  DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const
+  {
+    return constraint.DistanceToInterface(a, b, x, corner);
+  }
 };
 } // namespace mmm
 

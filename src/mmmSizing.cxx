@@ -56,11 +56,11 @@ LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample
 }
 
 std::vector<float>
-ComputeSizing(const IndicatorSet &       indicators,
-              int                        exterior,
-              const SizingParameters &   parameters,
-              const std::vector<float> & userSize,
-              Monitor &                  monitor)
+ComputeSizing(const IndicatorSet &     indicators,
+              int                      exterior,
+              const SizingParameters & parameters,
+              const SizingControl &    control,
+              Monitor &                monitor)
 {
   const Grid & grid = indicators.GetGrid();
   const auto   samples = CollectInterfaceSamples(indicators, exterior);
@@ -70,6 +70,7 @@ ComputeSizing(const IndicatorSet &       indicators,
   const auto featureSizes = ComputeLocalFeatureSizes(grid, samples, axis);
   monitor.Report(0.7);
 
+  const SizeRules     rules(indicators, parameters, control);
   std::vector<Source> sources(samples.size());
   ParallelFor(samples.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)
@@ -78,16 +79,13 @@ ComputeSizing(const IndicatorSet &       indicators,
       const double size =
         std::min(parameters.epsilon * featureSizes[s], std::sqrt(8.0 * parameters.chordTolerance / curvature));
       sources[s].position = samples[s].position.cast<float>();
-      sources[s].value = float(std::min(std::max(size, parameters.minimumSize), parameters.maximumSize));
+      sources[s].value = rules.AtInterface(samples[s], size);
     }
   });
+  rules.CompleteSources(sources);
   monitor.Report(0.8);
-  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit, userSize).values;
-  const float        largest = float(parameters.maximumSize);
-  for (float & size : sizing)
-  {
-    size = std::min(size, largest);
-  }
+  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit, rules.NodeSizes()).values;
+  rules.LimitSizes(sizing);
   monitor.Report(1.0);
   return sizing;
 }

@@ -23,6 +23,41 @@
 
 namespace mmm
 {
+namespace
+{
+/** No tetrahedron of the mesh is larger than this part of the cube of the size that was asked for. */
+constexpr double LargestVolume = 0.4;
+
+std::string
+DescribeRuleErrors(const SizingOptions & options)
+{
+  for (const auto & entry : options.labelSizes)
+  {
+    const std::string error = DescribeError(entry.second, "label " + std::to_string(entry.first));
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  if (options.hasRegion && !options.region.IsGiven())
+  {
+    return "The region of interest has no smallest or largest size.";
+  }
+  if (!options.hasRegion && options.region.IsGiven())
+  {
+    return "There are sizes for the region of interest, but no image of that region.";
+  }
+  return DescribeError(options.region, "the region of interest");
+}
+
+/** The largest size that keeps tetrahedra below the largest volume, in the image's unit. */
+double
+SizeLimit(const SizingOptions & options)
+{
+  return std::cbrt(options.maximumVolume / LargestVolume);
+}
+} // namespace
+
 std::string
 DescribeError(const SizingOptions & options)
 {
@@ -37,7 +72,8 @@ DescribeError(const SizingOptions & options)
                  { "chord tolerance", options.chordTolerance, " mm", true, false },
                  { "gradient limit", options.gradientLimit, "", false, false },
                  { "smallest size", options.minimumSize, " mm", true, false },
-                 { "largest size", options.maximumSize, " mm", false, true } };
+                 { "largest size", options.maximumSize, " mm", false, true },
+                 { "largest volume", options.maximumVolume, " mm^3", false, true } };
 
   std::ostringstream words;
   for (const auto & check : checks)
@@ -57,8 +93,32 @@ DescribeError(const SizingOptions & options)
   {
     words << "The smallest size, " << options.minimumSize << " mm, is above the largest, " << options.maximumSize
           << " mm.";
+    return words.str();
   }
-  return words.str();
+  if (options.minimumSize > SizeLimit(options))
+  {
+    words << "Tetrahedra of at most " << options.maximumVolume << " mm^3 need edges of at most " << SizeLimit(options)
+          << " mm, which is below the smallest size, " << options.minimumSize << " mm.";
+    return words.str();
+  }
+  return DescribeRuleErrors(options);
+}
+
+SizeRule
+ToGridUnit(const SizeRule & rule, const GridGeometry & geometry)
+{
+  return { rule.factor, geometry.ToGridUnit(rule.minimumSize), geometry.ToGridUnit(rule.maximumSize) };
+}
+
+LabelSizeRules
+ToGridUnit(const LabelSizeRules & rules, const GridGeometry & geometry)
+{
+  LabelSizeRules converted;
+  for (const auto & entry : rules)
+  {
+    converted[entry.first] = ToGridUnit(entry.second, geometry);
+  }
+  return converted;
 }
 
 SizingParameters
@@ -74,6 +134,10 @@ ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
   if (std::isfinite(options.maximumSize))
   {
     parameters.maximumSize = geometry.ToGridUnit(options.maximumSize);
+  }
+  if (std::isfinite(options.maximumVolume))
+  {
+    parameters.sizeLimit = geometry.ToGridUnit(SizeLimit(options));
   }
   parameters.minimumSize =
     std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize) : geometry.ToGridUnit(options.minimumSize);

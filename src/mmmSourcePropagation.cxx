@@ -64,7 +64,10 @@ public:
       m_Field.values = m_NodeValues;
       for (std::size_t n = 0; n < m_NodeValues.size(); ++n)
       {
-        m_Field.sources[n] = std::uint32_t(m_Sources.size() + n);
+        if (std::isfinite(m_NodeValues[n]))
+        {
+          m_Field.sources[n] = std::uint32_t(m_Sources.size() + n);
+        }
       }
     }
     // by planes, which are independent of one another

@@ -19,6 +19,7 @@
 
 #include "mmmIncidence.h"
 #include "mmmParallel.h"
+#include "mmmSurfaceConnectivity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,16 +29,16 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 1024;
-constexpr double      LongEdge = 1.4;
-constexpr double      ShortEdge = 0.6;
+constexpr double      LongEdge = 1.45;
+constexpr double      ShortEdge = 0.65;
 constexpr double      MaximalityTolerance = 1e-2;
 
 void
-SweepCentroids(const IndicatorSet &       indicators,
-               const InterfaceMesh &      interfaces,
-               const Incidence &          fans,
-               const std::vector<float> & sizes,
-               ParticleSet &              particles)
+SweepCentroids(const IndicatorSet &          indicators,
+               const std::vector<Triangle> & triangles,
+               const Incidence &             fans,
+               const std::vector<float> &    sizes,
+               ParticleSet &                 particles)
 {
   std::vector<Vector> next(particles.positions);
   ParallelFor(particles.Size(), Grain, [&](std::size_t begin, std::size_t end) {
@@ -52,7 +53,7 @@ SweepCentroids(const IndicatorSet &       indicators,
       double weights = 0.0;
       for (auto t = fans.Begin(p); t != fans.End(p); ++t)
       {
-        const auto &   triangle = interfaces.triangles[*t];
+        const auto &   triangle = triangles[*t];
         const Vector & a = particles.positions[triangle[0]];
         const Vector & b = particles.positions[triangle[1]];
         const Vector & c = particles.positions[triangle[2]];
@@ -93,10 +94,12 @@ struct Edge
 
 /** The edges of the interfaces that are too long or too short, the worst first. */
 std::vector<Edge>
-CollectOffEdges(const InterfaceMesh & interfaces, const std::vector<float> & sizes, const ParticleSet & particles)
+CollectOffEdges(const std::vector<Triangle> & triangles,
+                const std::vector<float> &    sizes,
+                const ParticleSet &           particles)
 {
   std::vector<Edge> edges;
-  for (const auto & triangle : interfaces.triangles)
+  for (const auto & triangle : triangles)
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -134,11 +137,11 @@ CommonSurface(const IndicatorSet & indicators, const Cell & a, const Cell & b, C
 }
 
 std::size_t
-AdaptToEdges(const IndicatorSet &       indicators,
-             const InterfaceMesh &      interfaces,
-             const Incidence &          fans,
-             const std::vector<float> & sizes,
-             ParticleSet &              particles)
+AdaptToEdges(const IndicatorSet &          indicators,
+             const std::vector<Triangle> & triangles,
+             const Incidence &             fans,
+             const std::vector<float> &    sizes,
+             ParticleSet &                 particles)
 {
   const std::size_t count = particles.Size();
   std::vector<char> touched(count, 0);
@@ -148,13 +151,13 @@ AdaptToEdges(const IndicatorSet &       indicators,
   const auto touchAround = [&](PointId p) {
     for (auto t = fans.Begin(p); t != fans.End(p); ++t)
     {
-      for (const auto corner : interfaces.triangles[*t])
+      for (const auto corner : triangles[*t])
       {
         touched[corner] = 1;
       }
     }
   };
-  for (const Edge & edge : CollectOffEdges(interfaces, sizes, particles))
+  for (const Edge & edge : CollectOffEdges(triangles, sizes, particles))
   {
     if (touched[edge.a] || touched[edge.b])
     {
@@ -204,10 +207,6 @@ RelaxOnSurface(const IndicatorSet &  indicators,
                bool                  adapt,
                ParticleSet &         particles)
 {
-  // the triangles around each particle
-  const Incidence    fans(particles.Size(), interfaces.triangles.size(), [&](std::size_t t) -> const Triangle & {
-    return interfaces.triangles[t];
-     });
   std::vector<float> sizes(particles.Size());
   ParallelFor(sizes.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p)
@@ -215,10 +214,17 @@ RelaxOnSurface(const IndicatorSet &  indicators,
       sizes[p] = float(sizing(particles.positions[p]));
     }
   });
+  SurfaceConnectivity connectivity(interfaces, particles.positions);
+  const auto &        triangles = connectivity.Triangles();
+  const auto          fansOf = [&]() {
+    return Incidence(
+      particles.Size(), triangles.size(), [&](std::size_t t) -> const Triangle & { return triangles[t]; });
+  };
   for (int sweep = 0; sweep < sweeps; ++sweep)
   {
-    SweepCentroids(indicators, interfaces, fans, sizes, particles);
+    connectivity.EqualizeValences(particles.positions);
+    SweepCentroids(indicators, triangles, fansOf(), sizes, particles);
   }
-  return adapt ? AdaptToEdges(indicators, interfaces, fans, sizes, particles) : 0;
+  return adapt ? AdaptToEdges(indicators, triangles, fansOf(), sizes, particles) : 0;
 }
 } // namespace mmm

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmTetGen.h"
+#include "mmmOutOfMemory.h"
 #include "mmmTetGenTermination.h"
 
 #include "itkMacro.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <new>
+#include <sstream>
 #include <string>
 
 namespace mmm
@@ -53,32 +55,38 @@ Words(int code)
   }
 }
 
-void
+/** What went wrong in words; empty if nothing did.
+ * \throw itk::MemoryAllocationError */
+std::string
 Run(const std::string & switches, tetgenio & in, tetgenio & out)
 {
-  std::string arguments = switches;
+  constexpr int      OutOfMemory = 1;
+  std::string        arguments = switches;
+  std::ostringstream words;
   try
   {
     const TetGenGuard guard;
     tetrahedralize(&arguments[0], &in, &out);
+    return "";
   }
   catch (const TetGenAssertion & assertion)
   {
-    itkGenericExceptionMacro("TetGen (" << switches << ") stopped, its assertion failed: " << assertion.words
-                                        << " Input: " << in.numberofpoints << " points, " << in.numberoffacets
-                                        << " facets.");
+    words << "its assertion failed: " << assertion.words;
   }
   catch (int code)
   {
-    itkGenericExceptionMacro("TetGen (" << switches << ") stopped with exit code " << code << ": " << Words(code)
-                                        << " Input: " << in.numberofpoints << " points, " << in.numberoffacets
-                                        << " facets.");
+    if (code == OutOfMemory)
+    {
+      ThrowOutOfMemory("TetGen");
+    }
+    words << "exit code " << code << ": " << Words(code);
   }
   catch (const std::bad_alloc &)
   {
-    itkGenericExceptionMacro("TetGen (" << switches << ") ran out of memory. Input: " << in.numberofpoints
-                                        << " points. Ask for larger elements, or use a machine with more memory.");
+    ThrowOutOfMemory("TetGen");
   }
+  return "TetGen (" + switches + ") stopped, " + words.str() + " Input: " + std::to_string(in.numberofpoints) +
+         " points, " + std::to_string(in.numberoffacets) + " facets.";
 }
 
 void
@@ -136,6 +144,75 @@ OrientedTetrahedra(const tetgenio & out)
   }
   return tetrahedra;
 }
+/** Points and facets as TetGen takes them, each facet with its number as marker. */
+struct FacetInput
+{
+  FacetInput(const std::vector<Vector> & points, const std::vector<Triangle> & facets)
+    : m_Facets(facets.size())
+    , m_Polygons(facets.size())
+    , m_Corners(3 * facets.size())
+    , m_Markers(facets.size())
+  {
+    SetPoints(io, points);
+    for (std::size_t f = 0; f < facets.size(); ++f)
+    {
+      std::copy(facets[f].begin(), facets[f].end(), m_Corners.begin() + 3 * f);
+      m_Polygons[f].vertexlist = &m_Corners[3 * f];
+      m_Polygons[f].numberofvertices = 3;
+      m_Facets[f].polygonlist = &m_Polygons[f];
+      m_Facets[f].numberofpolygons = 1;
+      m_Facets[f].holelist = nullptr;
+      m_Facets[f].numberofholes = 0;
+      m_Markers[f] = int(f);
+    }
+    io.facetlist = m_Facets.data();
+    io.facetmarkerlist = m_Markers.data();
+    io.numberoffacets = int(facets.size());
+  }
+  ~FacetInput()
+  {
+    // the memory of these lists is ours: take it back before tetgenio would free it
+    io.facetlist = nullptr;
+    io.facetmarkerlist = nullptr;
+    io.numberoffacets = 0;
+  }
+  FacetInput(const FacetInput &) = delete;
+  FacetInput &
+  operator=(const FacetInput &) = delete;
+
+  tetgenio io;
+
+private:
+  std::vector<tetgenio::facet>   m_Facets;
+  std::vector<tetgenio::polygon> m_Polygons;
+  std::vector<int>               m_Corners;
+  std::vector<int>               m_Markers;
+};
+
+/** The facets that cross others, by their numbers; empty if TetGen finds none. */
+std::string
+DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets)
+{
+  constexpr int Listed = 10;
+  FacetInput    in(points, facets);
+  tetgenio      out;
+  if (!Run("zpdQ", in.io, out).empty() || out.numberoftrifaces == 0 || out.trifacemarkerlist == nullptr)
+  {
+    return "";
+  }
+  std::vector<int> numbers(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::ostringstream text;
+  text << " Facets that intersect others, by their number among the triangles of the surface: ";
+  for (std::size_t n = 0; n < numbers.size() && n < Listed; ++n)
+  {
+    text << (n > 0 ? ", " : "") << numbers[n];
+  }
+  text << (numbers.size() > Listed ? " and more, " : " (") << numbers.size() << " in all"
+       << (numbers.size() > Listed ? "." : ").");
+  return text.str();
+}
 } // namespace
 
 std::vector<Tetrahedron>
@@ -143,56 +220,29 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
 {
   if (!FillSpace(points))
   {
-    itkGenericExceptionMacro("No tetrahedra between "
-                             << points.size()
-                             << " points: they lie in one plane. The parts to be meshed are too "
-                                "small; a --radius of 0 keeps more of them.");
+    itkGenericExceptionMacro("No tetrahedra between " << points.size() << " points: they lie in one plane.");
   }
   tetgenio in;
   tetgenio out;
   SetPoints(in, points);
-  Run("zJQ", in, out);
+  const std::string failure = Run("zJQ", in, out);
+  if (!failure.empty())
+  {
+    itkGenericExceptionMacro(<< failure);
+  }
   return OrientedTetrahedra(out);
 }
 
 std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets)
 {
-  tetgenio in;
-  tetgenio out;
-  SetPoints(in, points);
-
-  std::vector<tetgenio::facet>   facetList(facets.size());
-  std::vector<tetgenio::polygon> polygons(facets.size());
-  std::vector<int>               corners(3 * facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  FacetInput        in(points, facets);
+  tetgenio          out;
+  const std::string failure = Run("zpcYMJQ", in.io, out);
+  if (!failure.empty())
   {
-    std::copy(facets[f].begin(), facets[f].end(), corners.begin() + 3 * f);
-    polygons[f].vertexlist = &corners[3 * f];
-    polygons[f].numberofvertices = 3;
-    facetList[f].polygonlist = &polygons[f];
-    facetList[f].numberofpolygons = 1;
-    facetList[f].holelist = nullptr;
-    facetList[f].numberofholes = 0;
+    itkGenericExceptionMacro(<< failure << DescribeIntersections(points, facets));
   }
-  in.facetlist = facetList.data();
-  in.numberoffacets = int(facets.size());
-
-  // the memory of these lists is ours: take it back before tetgenio would free it
-  const auto release = [&in]() {
-    in.facetlist = nullptr;
-    in.numberoffacets = 0;
-  };
-  try
-  {
-    Run("zpcYMJQ", in, out);
-  }
-  catch (...)
-  {
-    release();
-    throw;
-  }
-  release();
 
   // with -J TetGen keeps all input points in front, in their order
   for (std::size_t p = points.size(); p < std::size_t(out.numberofpoints); ++p)

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmVolumeBalance.h"
 
+#include "mmmIndicatorConstraint.h"
 #include "mmmMeshOptimizerSmoothing.h"
 #include "mmmParallel.h"
 
@@ -36,11 +37,11 @@ constexpr double AngleToKeep = 20.0;
 
 /** How far the zero set is from the triangles around p on average, along the normal of p's cell. */
 double
-PointSmoother::MeanGap(PointId p) const
+PointSmoother::MeanGap(const IndicatorSet & indicators, PointId p) const
 {
   const Cell & cell = m_Cells[p];
   const auto   gapAt = [&](const Vector & x) {
-    return 0.5 * (m_Indicators.Value(cell.materials[0], x) - m_Indicators.Value(cell.materials[1], x));
+    return 0.5 * (indicators.Value(cell.materials[0], x) - indicators.Value(cell.materials[1], x));
   };
   double sum = 0.0;
   double areas = 0.0;
@@ -58,10 +59,10 @@ PointSmoother::MeanGap(PointId p) const
 }
 
 std::size_t
-PointSmoother::BalanceVolumes()
+PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
 {
-  const auto isOnSurface = [this](PointId p) {
-    return m_Freedom[p] == Freedom::OnCell && m_Cells[p].count == 2 && !m_Indicators.IsPlane(m_Cells[p].materials[1]);
+  const auto isOnSurface = [&](PointId p) {
+    return m_Freedom[p] == Freedom::OnCell && m_Cells[p].count == 2 && !indicators.IsPlane(m_Cells[p].materials[1]);
   };
   std::size_t         moves = 0;
   std::vector<double> gaps(m_Points.size());
@@ -71,7 +72,7 @@ PointSmoother::BalanceVolumes()
     ParallelFor(m_Points.size(), 1024, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {
-        gaps[p] = isOnSurface(PointId(p)) ? this->MeanGap(PointId(p)) : 0.0;
+        gaps[p] = isOnSurface(PointId(p)) ? this->MeanGap(indicators, PointId(p)) : 0.0;
       }
     });
     moves += this->MoveByColour([&](PointId p) {
@@ -80,7 +81,7 @@ PointSmoother::BalanceVolumes()
         return false;
       }
       const double gap = std::min(std::max(gaps[p], -LongestMove), LongestMove);
-      const Vector x = m_Points[p] + gap * m_Indicators.Normal(m_Cells[p], m_Points[p]);
+      const Vector x = m_Points[p] + gap * indicators.Normal(m_Cells[p], m_Points[p]);
       const double least = std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(AngleToKeep)) - 1e-12;
       if (!(this->WorstAround(p, x, least) > least))
       {
@@ -100,6 +101,7 @@ BalanceVolumes(const IndicatorSet &      indicators,
                const TetrahedralMesh &   mesh,
                std::vector<Vector> &     points)
 {
-  PointSmoother(indicators, exterior, cells, points, mesh.tetrahedra, mesh.materials).BalanceVolumes();
+  const IndicatorConstraint constraint(indicators, exterior, cells);
+  PointSmoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials).BalanceVolumes(indicators);
 }
 } // namespace mmm

@@ -613,3 +613,18 @@ TEST(LabelImageToTetrahedralMeshFilter, PrintsItsParameters)
   EXPECT_NE(text.find("Labels: (0, 1)"), std::string::npos) << text;
   EXPECT_STREQ(filter->GetNameOfClass(), "LabelImageToTetrahedralMeshFilter");
 }
+
+TEST(LabelImageToTetrahedralMeshFilter, SaysWhatToDoIfMemoryRunsOut)
+{
+  for (const char * const stage : { "indicators", "surface", "optimization" })
+  {
+    const auto filter = MakeFilter(mmmtest::MakeBall<LabelImage>(14, 5.0));
+    filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+      if (filter->GetCurrentStage() == stage)
+      {
+        throw std::bad_alloc();
+      }
+    });
+    mmmtest::ExpectException([&] { filter->Update(); }, "Ask for larger elements");
+  }
+}

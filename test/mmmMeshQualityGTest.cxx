@@ -568,9 +568,60 @@ TEST(mmmMeshQuality, PoorTetrahedraTellWhereTheyAre)
   EXPECT_EQ(poor.label, 4);
   EXPECT_EQ(poor.neighborLabels, (std::vector<int>{ 7, 9 }));
   EXPECT_EQ(poor.boundaryFaces, 4);
+  EXPECT_EQ(poor.boundaryCorners, 4);
+  EXPECT_STREQ(mmm::ToString(poor.GetPlace()), "on an interface");
   EXPECT_NEAR((poor.center - Vector(0.325, 0.325, 0.005)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(poor.smallestAngle, std::atan(0.02 / 0.3) * itk::Math::deg_per_rad, 1e-9);
   EXPECT_GT(poor.largestAngle, 165.0);
+}
+
+TEST(mmmMeshQuality, PoorTetrahedraTellHowTheyTouchInterfaces)
+{
+  const auto              mesh = IrregularMesh(8);
+  mmm::MeshQualityOptions options;
+  options.smallestAngle = 180.0;
+  options.maximumListed = mesh.tetrahedra.size();
+  const auto report = mmm::ComputeMeshQuality(mesh.points, mesh.tetrahedra, mesh.labels, options);
+  ASSERT_EQ(report.poorest.size(), mesh.tetrahedra.size());
+  std::map<std::array<std::uint32_t, 3>, std::multiset<int>> sides;
+  const auto                                                 facesOf = [](const mmm::Tetrahedron & t) {
+    std::array<std::array<std::uint32_t, 3>, 4> faces;
+    for (int f = 0; f < 4; ++f)
+    {
+      faces[f] = { { t[(f + 1) % 4], t[(f + 2) % 4], t[(f + 3) % 4] } };
+      std::sort(faces[f].begin(), faces[f].end());
+    }
+    return faces;
+  };
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+  {
+    for (const auto & face : facesOf(mesh.tetrahedra[t]))
+    {
+      sides[face].insert(mesh.labels[t]);
+    }
+  }
+  std::set<std::uint32_t> onInterface;
+  for (const auto & side : sides)
+  {
+    if (side.second.size() == 1 || *side.second.begin() != *side.second.rbegin())
+    {
+      onInterface.insert(side.first.begin(), side.first.end());
+    }
+  }
+  std::set<std::string> places;
+  for (const auto & poor : report.poorest)
+  {
+    const auto & corners = mesh.tetrahedra[poor.index];
+    const auto   expected =
+      std::count_if(corners.begin(), corners.end(), [&](auto p) { return onInterface.count(p) > 0; });
+    ASSERT_EQ(poor.boundaryCorners, expected);
+    const std::string place = mmm::ToString(poor.GetPlace());
+    EXPECT_EQ(place == "interior", expected == 0);
+    EXPECT_EQ(place == "beside an interface", expected > 0 && expected < 4);
+    EXPECT_EQ(place == "across a thin layer", expected == 4 && poor.boundaryFaces == 0);
+    places.insert(place);
+  }
+  EXPECT_GT(places.size(), 1u);
 }
 
 TEST(mmmMeshQuality, DoesNotDependOnTheNumberOfThreads)

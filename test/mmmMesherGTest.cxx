@@ -221,5 +221,7 @@ TEST(TetGen, PassesOnItsWordsAboutIntersectingFacets)
   {
     EXPECT_NE(std::string(error.GetDescription()).find("TetGen"), std::string::npos);
     EXPECT_NE(std::string(error.GetDescription()).find("8 facets"), std::string::npos);
+    EXPECT_NE(std::string(error.GetDescription()).find("surface: 0, 3, 4, 5, 6 (5 in all)"), std::string::npos)
+      << error.GetDescription();
   }
 }

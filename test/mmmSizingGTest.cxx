@@ -141,8 +141,9 @@ TEST(Sizing, UserSizesAreNotExceeded)
   const Scene           scene(MakeBallMaterials(25, Vector(12.1, 11.9, 12.2), 8.0));
   mmm::SizingParameters parameters;
   mmm::Monitor          monitor;
-  std::vector<float>    user(scene.image.grid.NumberOfNodes(), 100.0f);
-  user[scene.image.grid.Offset(12, 12, 12)] = 0.7f;
+  mmm::SizingControl    user;
+  user.image.assign(scene.image.grid.NumberOfNodes(), 100.0f);
+  user.image[scene.image.grid.Offset(12, 12, 12)] = 0.7f;
   const auto sizes = mmm::ComputeSizing(*scene.indicators, 0, parameters, user, monitor);
   EXPECT_NEAR(sizes[scene.image.grid.Offset(12, 12, 12)], 0.7f, 1e-5f);
   EXPECT_NEAR(sizes[scene.image.grid.Offset(13, 12, 12)], 1.2f, 1e-4f);

@@ -23,6 +23,7 @@
 #include "mmmIslandRecord.h"
 #include "mmmMeshQuality.h"
 #include "mmmMesher.h"
+#include "mmmSizeRule.h"
 #include "mmmStageRecord.h"
 
 #include <array>
@@ -163,9 +164,27 @@ ToPython(const IslandRecord & record)
 }
 
 inline PyObject *
+ToPython(const MeshEstimate & estimate)
+{
+  return MakeNamespace({ { "triangles", ToPython(estimate.triangles) },
+                         { "points", ToPython(estimate.points) },
+                         { "tetrahedra", ToPython(estimate.tetrahedra) },
+                         { "memory", ToPython(estimate.memory) } });
+}
+
+inline PyObject *
+ToPython(const SizeRule & rule)
+{
+  return MakeNamespace({ { "factor", ToPython(rule.factor) },
+                         { "minimum_size", ToPython(rule.minimumSize) },
+                         { "maximum_size", ToPython(rule.maximumSize) } });
+}
+
+inline PyObject *
 ToPython(const MeshingReport & report)
 {
-  return MakeNamespace({ { "particles", ToPython(report.particles) },
+  return MakeNamespace({ { "estimate", ToPython(report.estimate) },
+                         { "particles", ToPython(report.particles) },
                          { "unused_particles", ToPython(report.unusedParticles) },
                          { "steiner_points", ToPython(report.steinerPoints) } });
 }
@@ -183,6 +202,7 @@ ToPython(const TetrahedronStatistics & statistics)
 {
   return MakeNamespace({ { "count", ToPython(statistics.count) },
                          { "volume", ToPython(statistics.volume) },
+                         { "largest_volume", ToPython(statistics.largestVolume) },
                          { "non_positive", ToPython(statistics.nonPositive) },
                          { "radius_ratio", ToPython(statistics.radiusRatio) },
                          { "smallest_angle", ToPython(statistics.smallestAngle) },
@@ -203,6 +223,18 @@ ToPython(const LabelQuality & quality)
 }
 
 inline PyObject *
+ToPython(const PoorTetrahedron & tetrahedron)
+{
+  const std::array<double, 3> center{ { tetrahedron.center[0], tetrahedron.center[1], tetrahedron.center[2] } };
+  return MakeNamespace({ { "index", ToPython(tetrahedron.index) },
+                         { "label", ToPython(tetrahedron.label) },
+                         { "place", ToPython(std::string(ToString(tetrahedron.GetPlace()))) },
+                         { "center", ToPython(center) },
+                         { "smallest_angle", ToPython(tetrahedron.smallestAngle) },
+                         { "largest_angle", ToPython(tetrahedron.largestAngle) } });
+}
+
+inline PyObject *
 ToPython(const MeshQualityReport & report)
 {
   std::ostringstream table;
@@ -218,6 +250,7 @@ ToPython(const MeshQualityReport & report)
                          { "open_edges", ToPython(report.openEdges) },
                          { "non_manifold_edges", ToPython(report.nonManifoldEdges) },
                          { "poor_tetrahedra", ToPython(report.poorTetrahedra) },
+                         { "poorest", ToPython(report.poorest) },
                          { "table", ToPython(table.str()) } });
 }
 } // namespace mmm

@@ -22,6 +22,8 @@
 #include "SettingsCheck.h"
 #include "SlicerDescription.h"
 
+#include "itkMacro.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -110,6 +112,28 @@ ParseLabels(const Option & option, const std::string & text)
   }
 }
 
+mmm::LabelSizeRules
+ParseLabelSizes(const Option & option, const std::string & text)
+{
+  try
+  {
+    const auto rules = mmm::ParseLabelSizeRules(text);
+    for (const auto & [label, rule] : rules)
+    {
+      const std::string error = mmm::DescribeError(rule, "label " + std::to_string(label));
+      if (!error.empty())
+      {
+        throw UsageError(ToOneLine("--" + option.name + " is '" + text + "'; " + error));
+      }
+    }
+    return rules;
+  }
+  catch (const itk::ExceptionObject & exception)
+  {
+    throw UsageError(ToOneLine("--" + option.name + " is '" + text + "'; " + exception.GetDescription()));
+  }
+}
+
 void
 CheckChoice(const Option & option, const std::string & text)
 {
@@ -122,6 +146,15 @@ CheckChoice(const Option & option, const std::string & text)
       all += (all.empty() ? "" : ", ") + choice;
     }
     throw UsageError("--" + option.name + " is '" + text + "'; it has to be one of " + all);
+  }
+}
+
+void
+CheckFileName(const Option & option, const std::string & text)
+{
+  if (text.empty())
+  {
+    throw UsageError(NameOf(option) + " is empty; it has to be a file name");
   }
 }
 
@@ -150,13 +183,33 @@ public:
   }
 
   void
+  operator()(mmm::LabelSizeRules Settings::* field) const
+  {
+    this->AddText([this_ = *this, field](const std::string & text) {
+      this_.m_Settings.*field = ParseLabelSizes(this_.m_Option, text);
+    });
+  }
+
+  void
+  operator()(std::vector<std::string> Settings::* field) const
+  {
+    m_Parser
+      .add_option_function<std::vector<std::string>>(SpellingsOf(m_Option),
+                                                     [this_ = *this, field](const std::vector<std::string> & texts) {
+                                                       for (const std::string & text : texts)
+                                                       {
+                                                         CheckFileName(this_.m_Option, text);
+                                                       }
+                                                       this_.m_Settings.*field = texts;
+                                                     })
+      ->type_name(m_Option.placeholder);
+  }
+
+  void
   operator()(std::string Settings::* field) const
   {
     this->AddText([this_ = *this, field](const std::string & text) {
-      if (text.empty())
-      {
-        throw UsageError(NameOf(this_.m_Option) + " is empty; it has to be a file name");
-      }
+      CheckFileName(this_.m_Option, text);
       CheckChoice(this_.m_Option, text);
       this_.m_Settings.*field = text;
     });
@@ -180,9 +233,7 @@ private:
   void
   AddText(const std::function<void(const std::string &)> & take) const
   {
-    m_Parser.add_option_function<std::string>(SpellingsOf(m_Option), take)
-      ->required(m_Option.IsPositional())
-      ->type_name(m_Option.placeholder);
+    m_Parser.add_option_function<std::string>(SpellingsOf(m_Option), take)->type_name(m_Option.placeholder);
   }
 
   template <typename TNumber, typename TField>
@@ -198,6 +249,35 @@ private:
   const Option & m_Option;
   Settings &     m_Settings;
 };
+
+/** With --indicators there is one file without option, OUTPUT, which is the last of the list if it comes after it. */
+void
+AssignFiles(Settings & settings)
+{
+  const bool hasIndicators = !settings.indicators.empty();
+  if (hasIndicators && settings.output.empty())
+  {
+    settings.output.swap(settings.labels);
+    if (settings.output.empty())
+    {
+      settings.output = settings.indicators.back();
+      settings.indicators.pop_back();
+    }
+  }
+  const auto require = [](const std::string & name, bool isThere) {
+    if (!isThere)
+    {
+      throw UsageError(name + " is required; --help lists the options");
+    }
+  };
+  require("LABELS", !settings.labels.empty() || hasIndicators);
+  require("OUTPUT", !settings.output.empty());
+  require("An image after --indicators", !settings.indicators.empty() || !hasIndicators);
+  if (hasIndicators && !settings.labels.empty())
+  {
+    throw UsageError("there are LABELS, " + settings.labels + ", and --indicators; give one of the two");
+  }
+}
 } // namespace
 
 Request
@@ -248,6 +328,7 @@ ParseCommandLine(int argc, const char * const * argv, Settings & settings)
                                : Request::Version;
   }
   settings.exteriorIsListed = parser.get_option("--exterior")->count() > 0;
+  AssignFiles(settings);
   CheckSettings(settings);
   return Request::Mesh;
 }

@@ -76,7 +76,8 @@ DescribeOption(const Option & option)
 void
 PrintHelp(std::ostream & os)
 {
-  os << "usage: multimaterial-mesh LABELS OUTPUT.{vtu,msh,mesh} [options]\n\n"
+  os << "usage: multimaterial-mesh LABELS OUTPUT.{vtu,msh,mesh} [options]\n"
+        "       multimaterial-mesh --indicators FILE... OUTPUT.{vtu,msh,mesh} [options]\n\n"
         "Meshes a label image, such as a segmented MRI head: labelled, conforming tetrahedra and the\n"
         "interfaces between the labels. Points are in ITK's physical coordinates (LPS).\n";
 

@@ -20,8 +20,12 @@
 #include "Errors.h"
 #include "Interruption.h"
 #include "MeshOutput.h"
+#include "itkIndicatorImagesToTetrahedralMeshFilter.h"
 
 #include "itkEventObject.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace cli
 {
@@ -55,14 +59,28 @@ KeepSurface(MeshFilter & filter, const std::string & fileName)
   }
   return true;
 }
-} // namespace
 
-MeshFilter::Pointer
-MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+MeshFilter::MaskImageType::Pointer
+MakeMask(const LabelImage * image)
 {
-  auto filter = MeshFilter::New();
-  filter->SetInput(labels);
+  auto         mask = MeshFilter::MaskImageType::New();
+  const auto & region = image->GetBufferedRegion();
+  mask->CopyInformation(image);
+  mask->SetRegions(region);
+  mask->Allocate();
+  std::transform(image->GetBufferPointer(),
+                 image->GetBufferPointer() + region.GetNumberOfPixels(),
+                 mask->GetBufferPointer(),
+                 [](int value) { return value != 0; });
+  return mask;
+}
+
+void
+Configure(MeshFilter * filter, const Settings & settings)
+{
   filter->SetExteriorLabels(settings.exterior);
+  filter->SetFillExterior(settings.fillExterior);
+  filter->SetAirMargin(settings.airMargin.value_or(MeshFilter::Automatic));
   filter->SetMinimumIslandSize(settings.minIsland);
   filter->SetRadius(settings.radius.value_or(MeshFilter::Automatic));
   filter->SetEpsilon(settings.epsilon);
@@ -70,6 +88,16 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   filter->SetGradientLimit(settings.gradientLimit);
   filter->SetMinimumSize(settings.minSize.value_or(MeshFilter::Automatic));
   filter->SetMaximumSize(settings.maxSize.value_or(std::numeric_limits<double>::infinity()));
+  filter->SetMaximumVolume(settings.maxVolume.value_or(std::numeric_limits<double>::infinity()));
+  filter->SetLabelSizes(settings.labelSizes);
+  filter->SetSizingImageReplaces(settings.sizingMode == "replace");
+  filter->SetRegionMinimumSize(settings.roiMinSize.value_or(MeshFilter::Automatic));
+  filter->SetRegionMaximumSize(settings.roiMaxSize.value_or(MeshFilter::Automatic));
+  if (settings.maxTetrahedra)
+  {
+    filter->SetMaximumNumberOfTetrahedra(*settings.maxTetrahedra);
+  }
+  filter->SetMaximumMemory(settings.maxMemory.value_or(std::numeric_limits<double>::infinity()));
   filter->SetSeed(settings.seed);
   filter->SetSurfaceOnly(settings.surfaceOnly);
   filter->SetKeepIntermediates(!settings.indicatorPrefix.empty() || !settings.sizingFile.empty());
@@ -77,13 +105,46 @@ MakeMeshFilter(const Settings & settings, const LabelImage * labels)
   {
     filter->SetSizingImage(ReadScalarImage(settings.sizingImage));
   }
+  if (!settings.roi.empty())
+  {
+    filter->SetRegionOfInterest(MakeMask(ReadLabelImage(settings.roi)));
+  }
+}
+} // namespace
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const LabelImage * labels)
+{
+  auto filter = MeshFilter::New();
+  filter->SetInput(labels);
+  Configure(filter, settings);
   return filter;
+}
+
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const std::vector<ScalarImage::Pointer> & indicators)
+{
+  auto filter = itk::IndicatorImagesToTetrahedralMeshFilter<ScalarImage>::New();
+  for (std::size_t n = 0; n < indicators.size(); ++n)
+  {
+    filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
+  }
+  filter->SetIndicatorLabels(settings.indicatorLabels);
+  Configure(filter, settings);
+  return filter.GetPointer();
 }
 
 void
 RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & display)
 {
+  bool isEstimateShown = false;
   filter.AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    const mmm::MeshEstimate & estimate = filter.GetReport().estimate;
+    if (!isEstimateShown && estimate.points > 0.0)
+    {
+      isEstimateShown = true;
+      display.Note("expect about " + mmm::Describe(estimate));
+    }
     display.Show(filter.GetCurrentStage(), filter.GetStageProgress(), filter.GetProgress());
     if (GetInterruption() != 0)
     {

@@ -23,6 +23,8 @@
 #include "Settings.h"
 #include "itkLabelImageToTetrahedralMeshFilter.h"
 
+#include <vector>
+
 namespace cli
 {
 using MeshFilter = itk::LabelImageToTetrahedralMeshFilter<LabelImage>;
@@ -30,6 +32,8 @@ using MeshFilter = itk::LabelImageToTetrahedralMeshFilter<LabelImage>;
 /** \brief The filter with the settings of the command line. */
 MeshFilter::Pointer
 MakeMeshFilter(const Settings & settings, const LabelImage * labels);
+MeshFilter::Pointer
+MakeMeshFilter(const Settings & settings, const std::vector<ScalarImage::Pointer> & indicators);
 
 /** \brief Runs the filter, shows its progress and stops it when the user interrupts the program.
  *

@@ -155,10 +155,8 @@ CheckLabelsFit(const Settings & settings, const mmm::LabelCounts & voxels)
   }
   for (const auto & entry : voxels)
   {
-    const int  label = entry.first;
-    const bool isMeshed =
-      std::find(settings.exterior.begin(), settings.exterior.end(), label) == settings.exterior.end();
-    if (isMeshed && (label < 1 || label > 999))
+    const int label = entry.first;
+    if (settings.IsMeshed(label) && (label < 1 || label > 999))
     {
       throw Error("--msh-format simnibs: SimNIBS numbers tissues from 1 to 999, and label " + std::to_string(label) +
                   " is to be meshed; list it in --exterior, give it another number, or take another format");

@@ -35,8 +35,10 @@ enum class Kind
   Real,
   Choice,
   Labels,
+  LabelSizes,
   LabelImage,
   ScalarImage,
+  ScalarImages,
   Mesh,
   Surface,
   Particles,
@@ -67,7 +69,9 @@ struct Option
                              std::uint64_t                Settings::*,
                              std::optional<std::uint64_t> Settings::*,
                              std::string                  Settings::*,
-                             std::vector<int>             Settings::*>;
+                             std::vector<int>             Settings::*,
+                             mmm::LabelSizeRules          Settings::*,
+                             std::vector<std::string>     Settings::*>;
 
   /** Without hyphens before it. Positional arguments are in capitals. */
   std::string name;
@@ -77,7 +81,7 @@ struct Option
   std::string group;
   /** What stands for the value in the help; empty for flags. */
   std::string placeholder;
-  /** "mm" or empty. */
+  /** "mm" and the like, or empty. */
   std::string unit;
   Range       range;
   /** In words; empty where there is none. */
@@ -87,6 +91,8 @@ struct Option
   std::vector<std::string> choices{};
   /** Set by a graphical interface, without asking its user. */
   bool isHidden{ false };
+  /** Not offered by a graphical interface, which wants LABELS in any case. */
+  bool isForCommandLine{ false };
 
   bool
   IsPositional() const;

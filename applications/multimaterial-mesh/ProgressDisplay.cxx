@@ -100,6 +100,17 @@ ProgressDisplay::Show(const std::string & stage, double fraction, double total)
 }
 
 void
+ProgressDisplay::Note(const std::string & text)
+{
+  if (m_Style == Style::Text)
+  {
+    this->Finish();
+    std::printf("%s\n", text.c_str());
+    std::fflush(stdout);
+  }
+}
+
+void
 ProgressDisplay::Finish()
 {
   if (m_Stage.empty())

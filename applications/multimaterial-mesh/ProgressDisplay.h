@@ -48,6 +48,10 @@ public:
   void
   Show(const std::string & stage, double fraction, double total);
 
+  /** A line of text for the user, after the stage that ends with it. Slicer shows no text. */
+  void
+  Note(const std::string & text);
+
   /** The stage is done. */
   void
   Finish();

@@ -21,6 +21,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli
@@ -60,7 +61,15 @@ InputSection(const Outcome & outcome)
 {
   const auto size = outcome.labels->GetLargestPossibleRegion().GetSize();
   Json       section;
-  section["file"] = outcome.settings.labels;
+  if (outcome.settings.indicators.empty())
+  {
+    section["file"] = outcome.settings.labels;
+  }
+  else
+  {
+    section["indicators"] = outcome.settings.indicators;
+    section["indicator_labels"] = outcome.settings.indicatorLabels;
+  }
   section["size"] = { size[0], size[1], size[2] };
   section["spacing_mm"] = Triple(outcome.labels->GetSpacing());
   section["origin_mm"] = Triple(outcome.labels->GetOrigin());
@@ -75,6 +84,8 @@ ParameterSection(const Settings & settings)
   const auto file = [](const std::string & name) { return name.empty() ? Json(nullptr) : Json(name); };
   Json       section;
   section["exterior"] = settings.exterior;
+  section["fill_exterior"] = settings.fillExterior || settings.airMargin;
+  section["air_margin_mm"] = length(settings.airMargin);
   section["min_island_voxels"] = settings.minIsland;
   section["surface_only"] = settings.surfaceOnly;
   section["msh_format"] = settings.mshFormat;
@@ -85,7 +96,15 @@ ParameterSection(const Settings & settings)
   section["gradient_limit"] = Number(settings.gradientLimit);
   section["min_size_mm"] = length(settings.minSize);
   section["max_size_mm"] = length(settings.maxSize);
+  section["max_volume_mm3"] = length(settings.maxVolume);
+  section["label_size"] = mmm::ToText(settings.labelSizes);
   section["sizing_image"] = file(settings.sizingImage);
+  section["sizing_mode"] = settings.sizingMode;
+  section["roi"] = file(settings.roi);
+  section["roi_min_size_mm"] = length(settings.roiMinSize);
+  section["roi_max_size_mm"] = length(settings.roiMaxSize);
+  section["max_tetrahedra"] = settings.maxTetrahedra ? Json(*settings.maxTetrahedra) : Json(nullptr);
+  section["max_memory_gb"] = length(settings.maxMemory);
   section["threads"] = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   section["seed"] = settings.seed;
   return section;
@@ -122,6 +141,15 @@ CountSection(const Outcome & outcome)
   section["points"] = outcome.tetrahedra->GetNumberOfPoints();
   section["tetrahedra"] = outcome.tetrahedra->GetNumberOfCells();
   return section;
+}
+
+Json
+EstimateSection(const mmm::MeshEstimate & estimate)
+{
+  return { { "triangles", std::llround(estimate.triangles) },
+           { "points", std::llround(estimate.points) },
+           { "tetrahedra", std::llround(estimate.tetrahedra) },
+           { "memory_gb", Number(estimate.memory) } };
 }
 
 Json
@@ -191,6 +219,7 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   Json section;
   section["tetrahedra"] = statistics.count;
   section["volume_mm3"] = Number(statistics.volume);
+  section["largest_volume_mm3"] = Number(statistics.largestVolume);
   section["non_positive"] = statistics.nonPositive;
   section["radius_ratio"] = ToJson(statistics.radiusRatio);
   section["smallest_dihedral_angle_deg"] = ToJson(statistics.smallestAngle);
@@ -202,12 +231,41 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   return section;
 }
 
+/** Whether a corner of a tetrahedron lies on a face of the image's box, where all is cut off flat. */
+bool
+IsOnImageBorder(const Outcome & outcome, std::size_t tetrahedron)
+{
+  constexpr double tolerance = 1e-6;
+  const auto &     region = outcome.labels->GetLargestPossibleRegion();
+  const auto &     points = outcome.tetrahedra->GetPoints()->CastToSTLConstContainer();
+  auto * const     cell = outcome.tetrahedra->GetCells()->GetElement(tetrahedron);
+  return std::any_of(cell->PointIdsBegin(), cell->PointIdsEnd(), [&](auto p) {
+    LabelImage::PointType point;
+    point.CastFrom(points[p]);
+    itk::ContinuousIndex<double, 3> index;
+    // whether it is inside does not matter here
+    static_cast<void>(outcome.labels->TransformPhysicalPointToContinuousIndex(point, index));
+    for (unsigned int a = 0; a < 3; ++a)
+    {
+      const double place = index[a] - double(region.GetIndex(a)) + 0.5;
+      if (std::abs(place) < tolerance || std::abs(place - double(region.GetSize(a))) < tolerance)
+      {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
 Json
-ToJson(const mmm::PoorTetrahedron & tetrahedron)
+ToJson(const Outcome & outcome, const mmm::PoorTetrahedron & tetrahedron)
 {
   return { { "index", tetrahedron.index },
            { "label", tetrahedron.label },
            { "neighbor_labels", tetrahedron.neighborLabels },
+           { "place", mmm::ToString(tetrahedron.GetPlace()) },
+           { "on_image_border", IsOnImageBorder(outcome, tetrahedron.index) },
+           { "boundary_corners", tetrahedron.boundaryCorners },
            { "boundary_faces", tetrahedron.boundaryFaces },
            { "center_mm", Triple(tetrahedron.center) },
            { "smallest_dihedral_angle_deg", Number(tetrahedron.smallestAngle) },
@@ -241,10 +299,12 @@ QualitySection(const Outcome & outcome)
     section["labels"].push_back(entry);
   }
   section["poor_tetrahedra"] = quality.poorTetrahedra;
+  // the list is cut off where it gets long
+  section["poor_tetrahedra_listed"] = quality.poorest.size();
   section["worst_tetrahedra"] = Json::array();
   for (const auto & tetrahedron : quality.poorest)
   {
-    section["worst_tetrahedra"].push_back(ToJson(tetrahedron));
+    section["worst_tetrahedra"].push_back(ToJson(outcome, tetrahedron));
   }
   return section;
 }
@@ -264,6 +324,7 @@ MakeReport(const Outcome & outcome)
   report["outside_label"] = filter.GetOutsideLabel();
   report["islands_merged"] = IslandSection(filter);
   report["vanished_labels"] = PerLabel(filter.GetVanishedLabels(), "voxels");
+  report["expected"] = EstimateSection(filter.GetReport().estimate);
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
   report["optimization"] = OptimizationSection(filter.GetReport().optimization);

@@ -18,6 +18,7 @@
 #include "Run.h"
 
 #include "Errors.h"
+#include "IndicatorInput.h"
 #include "ImageOutput.h"
 #include "LabelSurface.h"
 #include "MeshOutput.h"
@@ -64,7 +65,13 @@ CheckOutputs(const Settings & settings)
   {
     CheckImageName("--save-sizing", settings.sizingFile);
   }
-  std::vector<Name> others{ { "LABELS", settings.labels }, { "--sizing-image", settings.sizingImage } };
+  std::vector<Name> others{ { "LABELS", settings.labels },
+                            { "--sizing-image", settings.sizingImage },
+                            { "--roi", settings.roi } };
+  for (const std::string & indicator : settings.indicators)
+  {
+    others.emplace_back("--indicators", indicator);
+  }
   for (const Name & output : outputs)
   {
     if (output.second.empty())
@@ -105,15 +112,12 @@ CheckPrefixes(const Settings & settings)
     {
       return;
     }
-    const auto stem = forZero.substr(0, forZero.rfind("0."));
-    const auto suffix = forZero.substr(stem.size() + 1);
-    for (const auto & other : { settings.labels,
-                                settings.sizingImage,
-                                settings.output,
-                                settings.surface,
-                                settings.particles,
-                                settings.report,
-                                settings.sizingFile })
+    const auto               stem = forZero.substr(0, forZero.rfind("0."));
+    const auto               suffix = forZero.substr(stem.size() + 1);
+    std::vector<std::string> others{ settings.labels,  settings.sizingImage, settings.roi,    settings.output,
+                                     settings.surface, settings.particles,   settings.report, settings.sizingFile };
+    others.insert(others.end(), settings.indicators.begin(), settings.indicators.end());
+    for (const auto & other : others)
     {
       if (IsNameForLabel(other, stem, suffix))
       {
@@ -132,7 +136,10 @@ ResolveLengths(Settings & settings, const LabelImage & labels)
 {
   const auto & spacing = labels.GetSpacing();
   const double smallest = std::min({ spacing[0], spacing[1], spacing[2] });
-  settings.radius = settings.radius.value_or(0.5 * smallest);
+  if (settings.indicators.empty())
+  {
+    settings.radius = settings.radius.value_or(0.5 * smallest);
+  }
   settings.tolerance = settings.tolerance.value_or(0.1 * smallest);
   settings.minSize = settings.minSize.value_or(std::min(smallest, settings.maxSize.value_or(smallest)));
 }
@@ -227,13 +234,25 @@ Run(Settings settings)
   StageClock      clock(display);
   Outcome         outcome;
   clock.Run("reading", 0.0, [&] {
-    outcome.labels = ReadLabelImage(settings.labels);
-    outcome.voxels = CheckLabels(settings.labels, *outcome.labels);
+    IndicatorInput indicators;
+    if (settings.indicators.empty())
+    {
+      outcome.labels = ReadLabelImage(settings.labels);
+      outcome.voxels = CheckLabels(settings.labels, *outcome.labels);
+    }
+    else
+    {
+      indicators = ReadIndicators(settings);
+      outcome.labels = indicators.labels;
+      outcome.voxels = mmm::CountLabels(outcome.labels.GetPointer());
+      WarnOfAbsentIndicators(settings, outcome.voxels);
+    }
     CheckLabelsFit(settings, outcome.voxels);
     WarnOfAbsentExterior(settings, outcome.voxels);
     ResolveLengths(settings, *outcome.labels);
     outcome.settings = settings;
-    outcome.filter = MakeMeshFilter(settings, outcome.labels);
+    outcome.filter = settings.indicators.empty() ? MakeMeshFilter(settings, outcome.labels)
+                                                 : MakeMeshFilter(settings, indicators.images);
   });
   RunMeshFilter(*outcome.filter, settings, display);
   clock.Append(outcome.filter->GetStageRecords());
@@ -248,7 +267,8 @@ Run(Settings settings)
   {
     WriteTextFile(settings.report, MakeReport(outcome));
   }
-  WarnOfVanishedLabels(*outcome.filter);
+  WarnOfVanishedLabels(settings, *outcome.filter);
+  WarnOfLargeTetrahedra(outcome);
   if (!settings.quiet)
   {
     PrintSummary(std::cout, outcome);

@@ -18,6 +18,9 @@
 #ifndef Settings_h
 #define Settings_h
 
+#include "mmmSizeRule.h"
+
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,9 +36,15 @@ struct Settings
   std::string labels;
   std::string output;
 
-  std::vector<int> exterior{ 0 };
-  bool             exteriorIsListed{ false };
-  std::uint64_t    minIsland{ 8 };
+  /** In place of `labels`: a function per material, and the materials' labels, 1 to N if there are none. */
+  std::vector<std::string> indicators;
+  std::vector<int>         indicatorLabels;
+
+  std::vector<int>      exterior{ 0 };
+  bool                  exteriorIsListed{ false };
+  bool                  fillExterior{ false };
+  std::optional<double> airMargin;
+  std::uint64_t         minIsland{ 8 };
 
   std::string surface;
   std::string particles;
@@ -53,13 +62,28 @@ struct Settings
   double                gradientLimit{ 0.5 };
   std::optional<double> minSize;
   std::optional<double> maxSize;
+  std::optional<double> maxVolume;
+  mmm::LabelSizeRules   labelSizes;
   std::string           sizingImage;
+  std::string           sizingMode{ "minimum" };
+  std::string           roi;
+  std::optional<double> roiMinSize;
+  std::optional<double> roiMaxSize;
   std::string           sizingFile;
+
+  std::optional<std::uint64_t> maxTetrahedra;
+  std::optional<double>        maxMemory;
 
   std::optional<std::uint64_t> threads;
   std::uint64_t                seed{ 1 };
   bool                         quiet{ false };
   bool                         slicerProgress{ false };
+
+  bool
+  IsMeshed(int label) const
+  {
+    return fillExterior || airMargin || std::find(exterior.begin(), exterior.end(), label) == exterior.end();
+  }
 };
 } // namespace cli
 

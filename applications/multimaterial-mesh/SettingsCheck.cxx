@@ -54,6 +54,23 @@ HasFileWithoutSpace(const Settings & settings)
   };
   return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
 }
+
+void
+CheckRegion(const Settings & settings)
+{
+  const auto & smallest = settings.roiMinSize;
+  const auto & largest = settings.roiMaxSize;
+  if (settings.roi.empty() != !(smallest || largest))
+  {
+    throw UsageError("--roi needs --roi-min-size or --roi-max-size, and these need --roi");
+  }
+  if (smallest && largest && *smallest > *largest)
+  {
+    std::ostringstream message;
+    message << "--roi-min-size is " << *smallest << " mm, but --roi-max-size is only " << *largest << " mm";
+    throw UsageError(message.str());
+  }
+}
 } // namespace
 
 void
@@ -71,6 +88,28 @@ CheckSettings(const Settings & settings)
     std::ostringstream message;
     message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
     throw UsageError(message.str());
+  }
+  if (settings.sizingMode == "replace" && settings.sizingImage.empty())
+  {
+    throw UsageError("--sizing-mode replace needs --sizing-image");
+  }
+  CheckRegion(settings);
+  if ((settings.fillExterior || settings.airMargin) && settings.exterior.empty())
+  {
+    throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");
+  }
+  if (settings.indicators.empty() && !settings.indicatorLabels.empty())
+  {
+    throw UsageError("--indicator-labels is for --indicators; LABELS have their own");
+  }
+  if (!settings.indicatorLabels.empty() && settings.indicatorLabels.size() != settings.indicators.size())
+  {
+    throw UsageError("--indicator-labels has " + std::to_string(settings.indicatorLabels.size()) + " labels for " +
+                     std::to_string(settings.indicators.size()) + " indicators");
+  }
+  if (!settings.indicators.empty() && settings.radius)
+  {
+    throw UsageError("--radius is for LABELS; interfaces of indicators are not smoothed");
   }
   if (settings.surfaceOnly && !settings.surface.empty())
   {

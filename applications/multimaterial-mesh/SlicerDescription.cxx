@@ -237,7 +237,7 @@ PrintSlicerDescription(std::ostream & os)
     PrintElement(os, 2, "description", group.text);
     for (const Option & option : OptionTable())
     {
-      if (option.group == group.name)
+      if (option.group == group.name && !option.isForCommandLine)
       {
         PrintParameter(os, option, index);
       }

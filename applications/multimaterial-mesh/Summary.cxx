@@ -31,12 +31,9 @@ namespace
 std::size_t
 CountMeshedLabels(const Outcome & outcome)
 {
-  const auto & exterior = outcome.settings.exterior;
-  const auto   isMeshed = [&](const auto & entry) {
-    return std::find(exterior.begin(), exterior.end(), entry.first) == exterior.end();
-  };
-  return std::count_if(outcome.voxels.begin(), outcome.voxels.end(), isMeshed) -
-         outcome.filter->GetVanishedLabels().size();
+  const auto & labels = outcome.filter->GetLabels();
+  const auto   isMeshed = [&](int label) { return outcome.settings.IsMeshed(label); };
+  return std::count_if(labels.begin(), labels.end(), isMeshed) - outcome.filter->GetVanishedLabels().size();
 }
 } // namespace
 
@@ -65,7 +62,8 @@ PrintSummary(std::ostream & os, const Outcome & outcome)
        << " tetrahedra, radius ratio " << quality.radiusRatio.average << " on average, " << quality.radiusRatio.minimum
        << " at worst\n";
     os << std::setprecision(1) << "dihedral angles: " << quality.smallestAngle.minimum << " to " << quality.largestAngle
-       << " degrees\n";
+       << " degrees; largest volume: " << std::defaultfloat << std::setprecision(3) << quality.largestVolume
+       << " mm^3\n";
   }
   os << "written: " << outcome.settings.output << '\n';
 }
@@ -90,13 +88,25 @@ WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
 }
 
 void
-WarnOfVanishedLabels(const MeshFilter & filter)
+WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter)
 {
   for (const auto & [label, voxels] : filter.GetVanishedLabels())
   {
     std::ostringstream text;
-    text << "label " << label << " (" << voxels
-         << " voxels) is too thin and not in the mesh; a smaller --radius may help";
+    text << "label " << label << " (" << voxels << " voxels) is too thin and not in the mesh"
+         << (settings.indicators.empty() ? "; a smaller --radius may help" : "");
+    Warn(text.str());
+  }
+}
+
+void
+WarnOfLargeTetrahedra(const Outcome & outcome)
+{
+  const double largest = outcome.quality.tetrahedra.largestVolume;
+  if (outcome.settings.maxVolume && largest > *outcome.settings.maxVolume)
+  {
+    std::ostringstream text;
+    text << "the largest tetrahedron has " << largest << " mm^3, more than --max-volume; a smaller --max-volume helps";
     Warn(text.str());
   }
 }

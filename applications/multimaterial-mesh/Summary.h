@@ -33,7 +33,11 @@ WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
 
 /** Labels that the image has and the mesh lacks. */
 void
-WarnOfVanishedLabels(const MeshFilter & filter);
+WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter);
+
+/** Tetrahedra above the largest volume that was asked for. */
+void
+WarnOfLargeTetrahedra(const Outcome & outcome);
 } // namespace cli
 
 #endif

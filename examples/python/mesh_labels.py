@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -15,7 +15,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """Meshes a label image in Python, tells how good the mesh is, and writes it.
 
 usage: mesh_labels.py [LABELS] [-o MESH.vtu] [--picture FILE.png]

@@ -1,4 +1,4 @@
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -14,7 +14,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """The filters in Python: what goes in, what comes out, and that the numbers arrive in NumPy."""
 
 import gc
@@ -211,3 +211,63 @@ def test_after_a_stock_filter(spheres, meshed):
     mesh = itk.label_image_to_tetrahedral_mesh_filter(cast(itk.SS))[0]
     assert itk.array_view_from_image(cast(itk.F)).max() == 2.0
     np.testing.assert_array_equal(points_of(mesh), points_of(meshed.GetOutput()))
+
+
+def test_sizes_of_labels_and_regions(spheres, meshed):
+    count = meshed.GetOutput().GetNumberOfCells()
+    finer = itk.LabelImageToTetrahedralMeshFilter.New(spheres, label_sizes="1:max=1")
+    finer.Update()
+    assert finer.GetOutput().GetNumberOfCells() > count
+    assert finer.GetLabelSizes()[1].maximum_size == 1.0
+    mask = itk.image_from_array(np.ones_like(itk.array_view_from_image(spheres), dtype=np.uint8))
+    mask.CopyInformation(spheres)
+    inside = itk.LabelImageToTetrahedralMeshFilter.New(spheres, region_of_interest=mask, region_maximum_size=1.0)
+    inside.Update()
+    assert inside.GetOutput().GetNumberOfCells() > count
+
+
+def test_expected_size_and_limit(spheres, meshed):
+    expected = meshed.GetReport().estimate.tetrahedra
+    assert expected == pytest.approx(meshed.GetOutput().GetNumberOfCells(), rel=0.5)
+    with pytest.raises(RuntimeError, match="more than the limit of 10 tetrahedra"):
+        itk.label_image_to_tetrahedral_mesh_filter(spheres, maximum_number_of_tetrahedra=10)
+
+
+def test_exterior_is_filled(spheres):
+    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, air_margin=3.0)
+    assert 0 in set(labels_of(mesh))
+
+
+def test_takes_probability_maps():
+    z, y, x = np.mgrid[:24, :22, :20]
+    distance = np.sqrt((x - 9.3) ** 2 + (y - 10.6) ** 2 + (z - 11.4) ** 2)
+    ball = 1 / (1 + np.exp(2 * (distance - 7.0)))
+    maps = [itk.image_from_array(values.astype(np.float32)) for values in (ball * (z < 12), ball * (z >= 12))]
+    mesh, surface, particles = itk.indicator_images_to_tetrahedral_mesh_filter(*maps, indicator_labels=[4, 9])
+    assert set(labels_of(mesh)) == {4, 9}
+    assert {tuple(pair) for pair in np.asarray(surface.GetCellData())} == {(0, 4), (0, 9), (4, 9)}
+    edges = np.diff(points_of(mesh)[cells_of(mesh, 4)], axis=1)
+    volume = np.abs(np.linalg.det(edges)).sum() / 6
+    assert abs(volume / (4 / 3 * np.pi * 7.0**3) - 1) < 0.02
+
+
+def test_probability_maps_on_different_grids_are_an_error():
+    maps = [itk.image_from_array(np.random.rand(8, 8, n).astype(np.float32)) for n in (8, 9)]
+    with pytest.raises(RuntimeError, match="must be on the same grid"):
+        itk.indicator_images_to_tetrahedral_mesh_filter(*maps)
+
+
+def test_optimizes_meshes(meshed):
+    mesh = meshed.GetOutput()
+    optimizer = itk.OptimizeTetrahedralMeshFilter[type(mesh)].New(mesh)
+    optimizer.SetMaximumNumberOfRounds(2)
+    optimizer.Update()
+    optimized = optimizer.GetOutput()
+    assert set(labels_of(optimized)) == set(labels_of(mesh))
+    assert optimizer.GetLargestTolerance() > 0.0
+    worst = []
+    for each in (mesh, optimized):
+        calculator = itk.TetrahedralMeshQualityCalculator[type(each)].New(Mesh=each)
+        calculator.Compute()
+        worst.append(calculator.GetMinimumDihedralAngle())
+    assert worst[1] >= worst[0] - 1e-9

@@ -159,6 +159,13 @@ TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForAMesh)
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
 }
 
+TEST_F(CommandLineFailure, TetGenOutOfMemory)
+{
+  const auto labels = this->WriteBalls();
+  ExpectOneLine(RunAfter("export OUT_OF_MEMORY=1 LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu") }),
+                "memory");
+}
+
 TEST_F(CommandLineFailure, TetGensOwnWordsArePassedOn)
 {
   const auto result = RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { this->WriteBalls(), this->Path("out.vtu") });

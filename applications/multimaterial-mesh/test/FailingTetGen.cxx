@@ -15,14 +15,15 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered, and from then on; with
-// FAIL_ONCE in the environment only there.
+// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered, and from then on;
+// with FAIL_ONCE in the environment only there. With OUT_OF_MEMORY there is no memory.
 #include <tetgen.h>
 
 #include <dlfcn.h>
 
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 void
 tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin, tetgenio * bgmin)
@@ -32,6 +33,10 @@ tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin,
   if (recovery || (failed && std::getenv("FAIL_ONCE") == nullptr))
   {
     failed = true;
+    if (std::getenv("OUT_OF_MEMORY"))
+    {
+      throw std::bad_alloc();
+    }
     throw 3;
   }
   using Function = void (*)(char *, tetgenio *, tetgenio *, tetgenio *, tetgenio *);

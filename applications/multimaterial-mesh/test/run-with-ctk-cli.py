@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-#=========================================================================
+# =========================================================================
 #
 #  Copyright NumFOCUS
 #
@@ -15,7 +15,7 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-#=========================================================================
+# =========================================================================
 """Runs multimaterial-mesh as a client of the Slicer Execution Model does.
 
 The client is ctk-cli, a Python package. It reads the description that the program prints, which has to be to its

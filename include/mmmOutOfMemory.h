@@ -1,0 +1,32 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmOutOfMemory_h
+#define mmmOutOfMemory_h
+
+#include "MultiMaterialMeshingExport.h"
+
+#include <string>
+
+namespace mmm
+{
+/** Throws an itk::MemoryAllocationError that says who ran out of memory, and what to do. */
+[[noreturn]] MultiMaterialMeshing_EXPORT void
+ThrowOutOfMemory(const std::string & who);
+} // namespace mmm
+
+#endif
