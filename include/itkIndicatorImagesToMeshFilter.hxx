@@ -234,6 +234,7 @@ try
   const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
   const auto              sizes = mmm::ReadSizingImage(this->GetSizingImage(), images.GetGeometry());
   const mmm::IndicatorSet indicators = images.MakeIndicatorSet();
+  this->ReleaseInputs(); // where they ask for it: nothing below needs their pixels
   const mmm::SizingField  sizing(indicators.GetGrid(), sizes.data());
   const mmm::GridGeometry outputGeometry =
     m_ReferenceImage ? mmm::GridGeometry(m_ReferenceImage, m_ReferenceImage->GetLargestPossibleRegion())

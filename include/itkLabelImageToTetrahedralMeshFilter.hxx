@@ -605,6 +605,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const T
   const auto filter = MeshFilterType::New();
   for (std::size_t n = 0; n < indicators.size(); ++n)
   {
+    indicators[n]->SetReleaseDataFlag(!m_KeepIntermediates);
     filter->SetInput(static_cast<unsigned int>(n), indicators[n]);
   }
   filter->SetSizingImage(sizing);

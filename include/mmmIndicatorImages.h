@@ -51,11 +51,11 @@ public:
     return m_Geometry;
   }
 
-  /** The indicators in the grid's unit. The images' pixels are read in place. */
+  /** The indicators in the grid's unit. */
   IndicatorSet
   MakeIndicatorSet() const
   {
-    std::vector<BlockView<const float>> views;
+    std::vector<IndicatorBricks> indicators;
     for (const auto * image : m_Images)
     {
       const auto &           buffered = image->GetBufferedRegion();
@@ -66,9 +66,10 @@ public:
         view.size[axis] = static_cast<int>(buffered.GetSize(axis));
       }
       view.values = image->GetBufferPointer();
-      views.push_back(view);
+      indicators.emplace_back(
+        m_Geometry.GetGrid(), view, -float(IndicatorBandWidth), static_cast<float>(1.0 / m_Geometry.GetUnit()));
     }
-    return IndicatorSet(m_Geometry.GetGrid(), std::move(views), -IndicatorBandWidth, 1.0 / m_Geometry.GetUnit());
+    return IndicatorSet(m_Geometry.GetGrid(), std::move(indicators), -IndicatorBandWidth);
   }
 
 private:

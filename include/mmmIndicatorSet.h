@@ -21,6 +21,7 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mmmCell.h"
 #include "mmmGrid.h"
+#include "mmmIndicatorBricks.h"
 #include "mmmMaterialImage.h"
 
 namespace mmm
@@ -35,9 +36,8 @@ namespace mmm
 class MultiMaterialMeshing_EXPORT IndicatorSet
 {
 public:
-  /** The views must outlive the set. Their values times `scale` are lengths in the unit of Grid, which `outside` is
-   * in, too. */
-  IndicatorSet(const Grid & grid, std::vector<BlockView<const float>> indicators, double outside, double scale = 1.0);
+  /** One indicator a material; `outside` is what they are beyond their bricks. */
+  IndicatorSet(const Grid & grid, std::vector<IndicatorBricks> indicators, double outside);
 
   const Grid &
   GetGrid() const
@@ -64,6 +64,13 @@ public:
   /** The signed distance to a plane, positive outside the box. */
   double
   PlaneValue(Material plane, const Vector & x) const;
+
+  /** f_m at a grid node. */
+  double
+  ValueAtNode(Material m, const Index & node) const
+  {
+    return m_Indicators[m].At(node);
+  }
 
   /** The material at a point, which is argmax f_i inside the box, and a plane outside of it. */
   Material
@@ -117,6 +124,10 @@ private:
   struct Stencil;
   Stencil
   StencilAt(const Vector & x) const;
+  /** Calls body(k, j, row) with the four values of each of the stencil's sixteen rows. */
+  template <typename TBody>
+  void
+  ForEachRow(Material m, const Stencil & stencil, const TBody & body) const;
   double
   Evaluate(Material m, const Stencil & stencil) const;
   double
@@ -131,14 +142,18 @@ private:
   void
   ListCandidates();
 
-  Grid                                m_Grid;
-  std::vector<BlockView<const float>> m_Indicators;
-  double                              m_Outside;
-  double                              m_Scale;
-  std::vector<Material>               m_NodeMaterials;
-  Index                               m_Bricks{ { 0, 0, 0 } };
-  std::vector<std::uint32_t>          m_BrickStart;
-  std::vector<Material>               m_BrickMaterials;
+  /** The same, for the nodes and bricks of one layer of bricks. */
+  struct CandidateLayer;
+  void
+  ListCandidates(int layer, CandidateLayer & list);
+
+  Grid                         m_Grid;
+  std::vector<IndicatorBricks> m_Indicators;
+  double                       m_Outside;
+  std::vector<Material>        m_NodeMaterials;
+  Index                        m_Bricks{ { 0, 0, 0 } };
+  std::vector<std::uint32_t>   m_BrickStart;
+  std::vector<Material>        m_BrickMaterials;
 };
 } // namespace mmm
 

@@ -83,16 +83,25 @@ public:
     return m_Band;
   }
 
-  /** Makes the values the signed distance to their own zero level: nodes beside it from where the level crosses the
-   * grid's edges, the rest of the band by the Eikonal equation (first-order Godunov). */
+  /** What the values are before they become distances: for nodes beside the zero level, near distances give their
+   * distance by value and slope, so that curved levels stay where they are; others only by where the level crosses the
+   * grid's edges. */
+  enum class Before
+  {
+    NearDistances,
+    AnyFunction
+  };
+
+  /** Makes the values the signed distance to their own zero level: nodes beside it first, the rest of the band by the
+   * Eikonal equation (first-order Godunov). */
   void
-  Redistance();
+  Redistance(Before before);
 
   /** Moves the zero level by the difference between its mean curvature and that curvature's local average, until it
-   * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. No
-   * value changes faster than `tolerance` per unit of time (root mean square over the band), for at most `maximumSteps`
-   * explicit steps. `lower` and `upper`, given per node of the band, are obstacles that the values never pass. Returns
-   * the number of steps taken. */
+   * rests. This smooths like flow by mean curvature, but keeps the volume: spheres, tubes and sheets do not shrink. It
+   * rests when the values near it change by less than `tolerance` per unit of time (root mean square);
+   * `maximumSteps` explicit steps are a bound for what never rests. `lower` and `upper`, given per node of the band,
+   * are obstacles that the values never pass. Returns the number of steps taken. */
   int
   FlowByMeanCurvature(const std::vector<float> & lower,
                       const std::vector<float> & upper,
@@ -100,12 +109,31 @@ public:
                       int                        maximumSteps);
 
 private:
+  /** Nodes of the band that follow each other along the first axis. */
+  struct Run
+  {
+    std::uint32_t place; // of the first one, in the band
+    std::uint32_t length;
+  };
   struct Scratch
   {
     std::vector<float> weight; // per node of the block
-    std::vector<float> mean;
+    std::vector<float> weighted;
     std::vector<float> bandMean; // per node of the band
   };
+  /** Values are computed for this many nodes at once. */
+  static constexpr std::size_t Lanes = 8;
+  /** The runs that are worked on together. */
+  static constexpr std::size_t RunGrain = 1024;
+
+  /** Calls body(place in the band, node, length, number of the range) for all runs. */
+  template <typename TBody>
+  void
+  ForEachRun(const TBody & body) const;
+  /** valueAt(node) for all nodes of the band. It is asked for nodes beyond the runs, too, and must not fail there. */
+  template <typename TValue>
+  void
+  ComputeOverBand(const TValue & valueAt, std::vector<float> & result) const;
   /** The average over the neighbourhood, within about 1.5 nodes, of a speed given per node of the band. */
   void
   MeanOverBand(const std::vector<float> & speed, Scratch & scratch) const;
@@ -114,8 +142,10 @@ private:
   Index                      m_Size;
   Vector                     m_Spacing;
   double                     m_Width;
-  std::vector<float>         m_Values;
+  double                     m_BandDistance{ 0.0 };
+  std::vector<float>         m_Values; // Lanes more than the block has nodes
   std::vector<std::uint32_t> m_Band;
+  std::vector<Run>           m_Runs;
 };
 } // namespace mmm
 

@@ -33,6 +33,9 @@ namespace mmm
  * - along the normals, where a layer is thinner than 3 voxels: from each interface sample across the material to the
  *   interface on the other side; the axis point lies halfway.
  *
+ * The feet are sub-voxel points: samples, moved in the tangential plane of their interface. The axis point is the
+ * centre of the ball that touches the interfaces there.
+ *
  * Every convex wedge's axis runs into the junction that it ends on, and would pull the local feature size to zero
  * there: feet on two interfaces that meet within 2.5 voxels in a junction of those three materials do not count. */
 MultiMaterialMeshing_EXPORT std::vector<Vector>

@@ -68,9 +68,13 @@ public:
   float
   AtInterface(const InterfaceSample & sample, double size) const;
 
-  /** Drops the sources that are infinite and adds those of the image and of the bounds away from the interfaces. */
+  /** Drops the sources that are infinite and adds those of the bounds away from the interfaces. */
   void
   CompleteSources(std::vector<Source> & sources) const;
+
+  /** The sizes that the image asks for at the grid nodes, infinite where it asks for none; nothing without an image. */
+  std::vector<float>
+  NodeSizes() const;
 
   /** Takes sizes at the grid nodes down to the largest that are allowed there. */
   void

@@ -46,9 +46,15 @@ struct PropagatedField
  * This is the viscosity solution of |grad h| = slope below the sources' values, which gradient limiting asks for
  * (Persson 2006), and with value 0 and slope 1 a distance. The sources travel with the front in eight sweeps over the
  * grid, one an octant, so that values are exact wherever the right source arrives; plain upwind schemes are off by up
- * to 30 % near sources. Nodes that nothing reaches keep infinity and NoSource. */
+ * to 30 % near sources. Nodes that nothing reaches keep infinity and NoSource.
+ *
+ * With `nodeValues`, which holds a value per node or nothing, each node with a finite value is a source, too; its
+ * number is that of the sources plus the node's. */
 MultiMaterialMeshing_EXPORT PropagatedField
-                            PropagateSources(const Grid & grid, const std::vector<Source> & sources, double slope);
+PropagateSources(const Grid &                grid,
+                 const std::vector<Source> & sources,
+                 double                      slope,
+                 const std::vector<float> &  nodeValues = {});
 } // namespace mmm
 
 #endif

@@ -226,7 +226,7 @@ FunctionIndicators::Compute(Material material, const MaterialBox & box) const
     });
   };
   moveToInterface();
-  levelSet.Redistance();
+  levelSet.Redistance(LevelSet::Before::AnyFunction);
   moveToInterface();
 
   Block<float> indicator;

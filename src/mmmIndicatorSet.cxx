@@ -19,7 +19,9 @@
 
 #include "mmmParallel.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mmm
 {
@@ -34,19 +36,23 @@ constexpr float CandidateMargin = 2.5f;
 /** The nodes around a point and their weights, an axis at a time. */
 struct IndicatorSet::Stencil
 {
-  int    node[3][4];
+  Index  brick; // of the first node
+  Index  place;
   double weight[3][4];
   double slope[3][4];
 };
 
-IndicatorSet::IndicatorSet(const Grid &                        grid,
-                           std::vector<BlockView<const float>> indicators,
-                           double                              outside,
-                           double                              scale)
+/** The materials that are candidates in each brick of a layer. */
+struct IndicatorSet::CandidateLayer
+{
+  std::vector<std::uint32_t> counts;
+  std::vector<Material>      materials;
+};
+
+IndicatorSet::IndicatorSet(const Grid & grid, std::vector<IndicatorBricks> indicators, double outside)
   : m_Grid(grid)
   , m_Indicators(std::move(indicators))
   , m_Outside(outside)
-  , m_Scale(scale)
 {
   this->ListCandidates();
 }
@@ -54,102 +60,124 @@ IndicatorSet::IndicatorSet(const Grid &                        grid,
 void
 IndicatorSet::ListCandidates()
 {
-  const std::size_t  count = m_Grid.NumberOfNodes();
-  const float        scale = float(m_Scale);
-  std::vector<float> largest(count, float(m_Outside) - 1.0f);
-  m_NodeMaterials.assign(count, 0);
-  for (std::size_t m = 0; m < m_Indicators.size(); ++m)
-  {
-    const auto & block = m_Indicators[m];
-    ParallelFor(block.size[2], 1, [&](std::size_t begin, std::size_t end) {
-      for (int k = int(begin); k < int(end); ++k)
-      {
-        for (int j = 0; j < block.size[1]; ++j)
-        {
-          const float * values = block.values + (std::size_t(k) * block.size[1] + j) * block.size[0];
-          const auto    row = m_Grid.Offset(block.lower[0], block.lower[1] + j, block.lower[2] + k);
-          for (int i = 0; i < block.size[0]; ++i)
-          {
-            const float value = values[i] * scale;
-            if (value > largest[row + i])
-            {
-              largest[row + i] = value;
-              m_NodeMaterials[row + i] = Material(m);
-            }
-          }
-        }
-      }
-    });
-  }
-
-  std::size_t bricks = 1;
   for (int a = 0; a < 3; ++a)
   {
     m_Bricks[a] = (m_Grid.size[a] + BrickSize - 1) / BrickSize;
-    bricks *= m_Bricks[a];
   }
+  m_NodeMaterials.assign(m_Grid.NumberOfNodes(), 0);
+  std::vector<CandidateLayer> layers(m_Bricks[2]);
+  ParallelFor(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t layer = begin; layer < end; ++layer)
+    {
+      this->ListCandidates(int(layer), layers[layer]);
+    }
+  });
+  m_BrickStart.assign(1, 0);
+  for (const auto & layer : layers)
+  {
+    for (const auto count : layer.counts)
+    {
+      m_BrickStart.push_back(m_BrickStart.back() + count);
+    }
+    m_BrickMaterials.insert(m_BrickMaterials.end(), layer.materials.begin(), layer.materials.end());
+  }
+}
+
+void
+IndicatorSet::ListCandidates(int layer, CandidateLayer & list)
+{
   // A point of a brick is interpolated from nodes up to two beyond it, but its own material is decided one node around.
-  std::vector<std::vector<Material>> lists(bricks);
+  constexpr int Reach = BrickSize + 2;
+  using Values = std::array<float, Reach * Reach * Reach>;
+  Index      lower;
+  Index      upper;
+  const auto setRange = [&](int axis, int brick) {
+    lower[axis] = std::max(brick * BrickSize - 1, 0);
+    upper[axis] = std::min((brick + 1) * BrickSize + 1, m_Grid.size[axis]);
+  };
+  const auto overlaps = [&](Material m, int axis) {
+    return m_Indicators[m].GetLower()[axis] < upper[axis] && m_Indicators[m].GetUpper()[axis] > lower[axis];
+  };
+  std::vector<Material> inLayer;
+  std::vector<Material> inRow;
+  std::vector<Material> here;
+  std::vector<Values>   values;
+
+  setRange(2, layer);
   for (std::size_t m = 0; m < m_Indicators.size(); ++m)
   {
-    const auto & block = m_Indicators[m];
-    if (block.size[0] == 0)
+    if (overlaps(Material(m), 2))
     {
-      continue;
+      inLayer.push_back(Material(m));
     }
-    const auto firstBrick = [&](int a) { return std::max(0, (block.lower[a] - 1) / BrickSize); };
-    const auto lastBrick = [&](int a) {
-      return std::min(m_Bricks[a] - 1, (block.lower[a] + block.size[a]) / BrickSize);
-    };
-    ParallelFor(lastBrick(2) - firstBrick(2) + 1, 1, [&](std::size_t begin, std::size_t end) {
-      for (int bk = firstBrick(2) + int(begin); bk < firstBrick(2) + int(end); ++bk)
+  }
+  for (int bj = 0; bj < m_Bricks[1]; ++bj)
+  {
+    setRange(1, bj);
+    inRow.clear();
+    std::copy_if(inLayer.begin(), inLayer.end(), std::back_inserter(inRow), [&](Material m) { return overlaps(m, 1); });
+    for (int bi = 0; bi < m_Bricks[0]; ++bi)
+    {
+      setRange(0, bi);
+      here.clear();
+      std::copy_if(inRow.begin(), inRow.end(), std::back_inserter(here), [&](Material m) {
+        return overlaps(m, 0) && !m_Indicators[m].IsOutside(lower, upper);
+      });
+      values.resize(here.size());
+      std::array<Material, Reach * Reach * Reach> materials{};
+      Values                                      largest;
+      largest.fill(float(m_Outside) - 1.0f);
+      for (std::size_t n = 0; n < here.size(); ++n)
       {
-        for (int bj = firstBrick(1); bj <= lastBrick(1); ++bj)
+        std::size_t place = 0;
+        for (int k = lower[2]; k < upper[2]; ++k)
         {
-          for (int bi = firstBrick(0); bi <= lastBrick(0); ++bi)
+          for (int j = lower[1]; j < upper[1]; ++j)
           {
-            const int brick[3] = { bi, bj, bk };
-            int       low[3];
-            int       high[3];
-            for (int a = 0; a < 3; ++a)
+            for (int i = lower[0]; i < upper[0]; ++i, ++place)
             {
-              low[a] = std::max(brick[a] * BrickSize - 1, block.lower[a]);
-              high[a] = std::min(brick[a] * BrickSize + BrickSize + 1, block.lower[a] + block.size[a]);
-            }
-            bool found = false;
-            for (int k = low[2]; k < high[2] && !found; ++k)
-            {
-              for (int j = low[1]; j < high[1] && !found; ++j)
+              const float value = here.size() > 1 ? m_Indicators[here[n]].At(Index{ { i, j, k } }) : 0.0f;
+              values[n][place] = value;
+              if (value > largest[place])
               {
-                const float * values =
-                  block.values +
-                  (std::size_t(k - block.lower[2]) * block.size[1] + (j - block.lower[1])) * block.size[0] -
-                  block.lower[0];
-                const auto row = m_Grid.Offset(0, j, k);
-                for (int i = low[0]; i < high[0] && !found; ++i)
-                {
-                  found = values[i] * scale > largest[row + i] - CandidateMargin;
-                }
+                largest[place] = value;
+                materials[place] = here[n];
               }
-            }
-            if (found)
-            {
-              lists[(std::size_t(bk) * m_Bricks[1] + bj) * m_Bricks[0] + bi].push_back(Material(m));
             }
           }
         }
       }
-    });
-  }
-  m_BrickStart.assign(bricks + 1, 0);
-  for (std::size_t b = 0; b < bricks; ++b)
-  {
-    m_BrickStart[b + 1] = m_BrickStart[b] + std::uint32_t(lists[b].size());
-  }
-  m_BrickMaterials.reserve(m_BrickStart.back());
-  for (const auto & list : lists)
-  {
-    m_BrickMaterials.insert(m_BrickMaterials.end(), list.begin(), list.end());
+      std::size_t place = 0;
+      for (int k = lower[2]; k < upper[2]; ++k)
+      {
+        for (int j = lower[1]; j < upper[1]; ++j)
+        {
+          for (int i = lower[0]; i < upper[0]; ++i, ++place)
+          {
+            if (i / BrickSize == bi && j / BrickSize == bj && k / BrickSize == layer)
+            {
+              m_NodeMaterials[m_Grid.Offset(i, j, k)] = materials[place];
+            }
+          }
+        }
+      }
+      const auto before = list.materials.size();
+      for (std::size_t n = 0; n < here.size(); ++n)
+      {
+        const auto & own = values[n];
+        const auto   isCandidate = [&](std::size_t p) { return own[p] > largest[p] - CandidateMargin; };
+        std::size_t  p = 0;
+        while (p < place && !isCandidate(p))
+        {
+          ++p;
+        }
+        if (p < place)
+        {
+          list.materials.push_back(here[n]);
+        }
+      }
+      list.counts.push_back(std::uint32_t(list.materials.size() - before));
+    }
   }
 }
 
@@ -189,82 +217,97 @@ IndicatorSet::StencilAt(const Vector & x) const
     stencil.slope[a][1] = (-5.0 * t + 4.5 * t2) * scale;
     stencil.slope[a][2] = (0.5 + 4.0 * t - 4.5 * t2) * scale;
     stencil.slope[a][3] = (-t + 1.5 * t2) * scale;
-    for (int n = 0; n < 4; ++n)
-    {
-      stencil.node[a][n] = std::min(std::max(base - 1 + n, 0), last);
-    }
+    stencil.brick[a] = IndicatorBricks::BrickOf(base - 1);
+    stencil.place[a] = IndicatorBricks::PlaceOf(base - 1);
   }
   return stencil;
+}
+
+template <typename TBody>
+void
+IndicatorSet::ForEachRow(Material m, const Stencil & stencil, const TBody & body) const
+{
+  const auto &  indicator = m_Indicators[m];
+  const Index & brick = stencil.brick;
+  const Index & place = stencil.place;
+  // the stencil's rows lie in up to four bricks
+  const int     beyond[2] = { place[1] > IndicatorBricks::Edge - 4, place[2] > IndicatorBricks::Edge - 4 };
+  const float * values[2][2];
+  for (int k = 0; k <= beyond[1]; ++k)
+  {
+    for (int j = 0; j <= beyond[0]; ++j)
+    {
+      values[k][j] = indicator.Values(brick[0], brick[1] + j, brick[2] + k) + place[0];
+    }
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    const int z = place[2] + k;
+    for (int j = 0; j < 4; ++j)
+    {
+      const int y = place[1] + j;
+      body(k,
+           j,
+           values[z / IndicatorBricks::Edge][y / IndicatorBricks::Edge] +
+             IndicatorBricks::RowPlace(y % IndicatorBricks::Edge, z % IndicatorBricks::Edge));
+    }
+  }
 }
 
 double
 IndicatorSet::Evaluate(Material m, const Stencil & stencil) const
 {
-  Vector gradient;
-  return this->Evaluate(m, stencil, gradient);
+  if (m_Indicators[m].IsOutside(stencil.brick))
+  {
+    return m_Outside;
+  }
+  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
+  this->ForEachRow(m, stencil, [&](int k, int j, const float * row) {
+    const double weight = stencil.weight[2][k] * stencil.weight[1][j];
+    for (int i = 0; i < 4; ++i)
+    {
+      sums[i] += weight * row[i];
+    }
+  });
+  double value = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    value += stencil.weight[0][i] * sums[i];
+  }
+  return value;
 }
 
 double
 IndicatorSet::Evaluate(Material m, const Stencil & stencil, Vector & gradient) const
 {
-  const auto & block = m_Indicators[m];
-  bool         inside = true;
-  int          local[3][4];
-  for (int a = 0; a < 3; ++a)
-  {
-    for (int n = 0; n < 4; ++n)
-    {
-      local[a][n] = stencil.node[a][n] - block.lower[a];
-      inside = inside && local[a][n] >= 0 && local[a][n] < block.size[a];
-    }
-  }
-  const double outside = m_Outside / m_Scale;
-  double       value = 0.0;
   gradient.setZero();
-  for (int k = 0; k < 4; ++k)
+  if (m_Indicators[m].IsOutside(stencil.brick))
   {
-    double planeValue = 0.0;
-    double planeX = 0.0;
-    double planeY = 0.0;
-    for (int j = 0; j < 4; ++j)
-    {
-      double rowValue = 0.0;
-      double rowX = 0.0;
-      if (inside)
-      {
-        const float * row = block.values + (std::size_t(local[2][k]) * block.size[1] + local[1][j]) * block.size[0];
-        for (int i = 0; i < 4; ++i)
-        {
-          const double f = row[local[0][i]];
-          rowValue += stencil.weight[0][i] * f;
-          rowX += stencil.slope[0][i] * f;
-        }
-      }
-      else
-      {
-        const bool rowInside =
-          local[1][j] >= 0 && local[1][j] < block.size[1] && local[2][k] >= 0 && local[2][k] < block.size[2];
-        for (int i = 0; i < 4; ++i)
-        {
-          const bool   known = rowInside && local[0][i] >= 0 && local[0][i] < block.size[0];
-          const double f =
-            known ? block.values[(std::size_t(local[2][k]) * block.size[1] + local[1][j]) * block.size[0] + local[0][i]]
-                  : outside;
-          rowValue += stencil.weight[0][i] * f;
-          rowX += stencil.slope[0][i] * f;
-        }
-      }
-      planeValue += stencil.weight[1][j] * rowValue;
-      planeX += stencil.weight[1][j] * rowX;
-      planeY += stencil.slope[1][j] * rowValue;
-    }
-    value += stencil.weight[2][k] * planeValue;
-    gradient[0] += stencil.weight[2][k] * planeX;
-    gradient[1] += stencil.weight[2][k] * planeY;
-    gradient[2] += stencil.slope[2][k] * planeValue;
+    return m_Outside;
   }
-  gradient *= m_Scale;
-  return value * m_Scale;
+  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
+  double alongY[4] = { 0.0, 0.0, 0.0, 0.0 };
+  double alongZ[4] = { 0.0, 0.0, 0.0, 0.0 };
+  this->ForEachRow(m, stencil, [&](int k, int j, const float * row) {
+    const double weight = stencil.weight[2][k] * stencil.weight[1][j];
+    const double y = stencil.weight[2][k] * stencil.slope[1][j];
+    const double z = stencil.slope[2][k] * stencil.weight[1][j];
+    for (int i = 0; i < 4; ++i)
+    {
+      sums[i] += weight * row[i];
+      alongY[i] += y * row[i];
+      alongZ[i] += z * row[i];
+    }
+  });
+  double value = 0.0;
+  for (int i = 0; i < 4; ++i)
+  {
+    value += stencil.weight[0][i] * sums[i];
+    gradient[0] += stencil.slope[0][i] * sums[i];
+    gradient[1] += stencil.weight[0][i] * alongY[i];
+    gradient[2] += stencil.weight[0][i] * alongZ[i];
+  }
+  return value;
 }
 
 double

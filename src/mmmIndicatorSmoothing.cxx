@@ -40,9 +40,12 @@ constexpr float ThinCentreMargin = 0.2f;
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
 constexpr double FlowBandWidth = 2.0;
-constexpr double FlowTolerance = 0.005;
-constexpr int    AntiAliasSteps = 100;
-constexpr int    TighteningSteps = 60;
+/** The flows end when the boundary moves less than this per unit of time, root mean square. */
+constexpr double AntiAliasTolerance = 0.01;
+constexpr double TighteningTolerance = 0.005;
+/** No flow that was seen needs as many. */
+constexpr int AntiAliasSteps = 200;
+constexpr int TighteningSteps = 100;
 
 /** How many nodes the band reaches beyond a material's box along an axis. */
 int
@@ -121,7 +124,7 @@ AntiAlias(LevelSet & levelSet, const std::vector<float> & margins)
     lower[b] = inside ? margins[b] : -width;
     upper[b] = inside ? width : -margins[b];
   }
-  levelSet.FlowByMeanCurvature(lower, upper, FlowTolerance, AntiAliasSteps);
+  levelSet.FlowByMeanCurvature(lower, upper, AntiAliasTolerance, AntiAliasSteps);
 }
 
 /** The set moved outwards by `offset` (inwards where negative) and back: closing, or opening, per node of the band. */
@@ -132,7 +135,7 @@ OffsetAndBack(LevelSet levelSet, double offset)
   {
     value += float(offset);
   }
-  levelSet.Redistance();
+  levelSet.Redistance(LevelSet::Before::NearDistances);
   std::vector<float> values = BandValues(levelSet);
   for (float & value : values)
   {
@@ -161,7 +164,7 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
       closing[b] = std::min(closing[b], std::max(start[b], yield - margins[b]));
     }
   }
-  levelSet.FlowByMeanCurvature(opening, closing, FlowTolerance, TighteningSteps);
+  levelSet.FlowByMeanCurvature(opening, closing, TighteningTolerance, TighteningSteps);
 }
 } // namespace
 
@@ -241,10 +244,10 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
     levelSet.SelectBand(flowBand);
     const auto margins = CentreMargins(image, levelSet);
     AntiAlias(levelSet, margins);
-    levelSet.Redistance();
+    levelSet.Redistance(LevelSet::Before::NearDistances);
     Tighten(levelSet, margins, radius);
     levelSet.SelectBand(IndicatorBandWidth);
-    levelSet.Redistance();
+    levelSet.Redistance(LevelSet::Before::NearDistances);
   }
 
   indicator.values.resize(std::size_t(indicator.size[0]) * indicator.size[1] * indicator.size[2]);

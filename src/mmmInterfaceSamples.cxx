@@ -25,10 +25,10 @@ namespace
 {
 /** Where f_first - f_second vanishes between two neighbouring nodes, as a fraction of the way. */
 double
-CrossingFraction(const IndicatorSet & indicators, Material first, Material second, const Vector & a, const Vector & b)
+CrossingFraction(const IndicatorSet & indicators, Material first, Material second, const Index & a, const Index & b)
 {
-  const double atA = indicators.Value(first, a) - indicators.Value(second, a);
-  const double atB = indicators.Value(first, b) - indicators.Value(second, b);
+  const double atA = indicators.ValueAtNode(first, a) - indicators.ValueAtNode(second, a);
+  const double atB = indicators.ValueAtNode(first, b) - indicators.ValueAtNode(second, b);
   return atA > 0.0 && atB < 0.0 ? atA / (atA - atB) : 0.5;
 }
 
@@ -54,7 +54,7 @@ CollectPlane(const IndicatorSet & indicators, int exterior, int k, std::vector<I
           if (other != own)
           {
             const Vector y = grid.Position(after);
-            const double t = CrossingFraction(indicators, own, other, x, y);
+            const double t = CrossingFraction(indicators, own, other, at, after);
             const Vector crossing = x + t * (y - x);
             const Vector toHigher = indicators.Normal(Cell{ own, other }, crossing);
             samples.push_back({ crossing, own, other, own < other ? toHigher : Vector(-toHigher) });

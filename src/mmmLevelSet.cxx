@@ -26,40 +26,68 @@ namespace mmm
 {
 namespace
 {
-constexpr std::size_t Grain = 8192;
-constexpr int         AveragingRounds = 8;
-constexpr int         StepsPerMean = 6;
+constexpr int AveragingRounds = 8;
+constexpr int StepsPerMean = 6;
+/** How much of a step's movement is taken over into the next one. */
+constexpr float Momentum = 0.5f;
 
-/** The smallest distance d with sum over axes of (max(d - t_a, 0) / s_a)^2 = 1: Godunov's solution of |grad d| = 1. */
-double
-SolveEikonal(std::array<double, 3> t, std::array<double, 3> s)
+/** Nodes this close to the zero level tell whether it rests. */
+constexpr float NearDistance = 0.75f;
+
+/** How much the nodes near the zero level moved in a step. */
+struct Motion
 {
-  // smallest arrival first
-  for (int a = 0; a < 2; ++a)
-  {
-    for (int b = 0; b < 2 - a; ++b)
-    {
-      if (t[b] > t[b + 1])
-      {
-        std::swap(t[b], t[b + 1]);
-        std::swap(s[b], s[b + 1]);
-      }
-    }
-  }
-  double d = t[0] + s[0];
-  double sumW = 0.0;
-  double sumT = 0.0;
-  double sumTT = 0.0;
-  for (int a = 0; a < 3 && t[a] < d; ++a)
-  {
-    const double w = 1.0 / (s[a] * s[a]);
-    sumW += w;
-    sumT += w * t[a];
-    sumTT += w * t[a] * t[a];
-    const double discriminant = sumT * sumT - sumW * (sumTT - 1.0);
-    d = discriminant > 0.0 ? (sumT + std::sqrt(discriminant)) / sumW : d;
-  }
-  return d;
+  double squares{ 0.0 };
+  double nodes{ 0.0 };
+};
+
+void
+SwapIfLess(float & a, float & b, float & s, float & t)
+{
+  const bool  swap = b < a;
+  const float smaller = swap ? b : a;
+  const float larger = swap ? a : b;
+  const float first = swap ? t : s;
+  const float second = swap ? s : t;
+  a = smaller;
+  b = larger;
+  s = first;
+  t = second;
+}
+
+/** The smallest distance d with sum over axes of (max(d - t_a, 0) / s_a)^2 = 1: Godunov's solution of |grad d| = 1.
+ * Without branches, so that it can be computed for several nodes at once. */
+float
+SolveEikonal(float t0, float t1, float t2, float s0, float s1, float s2)
+{
+  SwapIfLess(t0, t1, s0, s1);
+  SwapIfLess(t1, t2, s1, s2);
+  SwapIfLess(t0, t1, s0, s1);
+  const float one = t0 + s0;
+
+  const float w0 = 1.0f / (s0 * s0);
+  const float w1 = 1.0f / (s1 * s1);
+  float       sumW = w0 + w1;
+  float       sumT = w0 * t0 + w1 * t1;
+  float       sumTT = w0 * t0 * t0 + w1 * t1 * t1;
+  float       discriminant = sumT * sumT - sumW * (sumTT - 1.0f);
+  const float two = (sumT + std::sqrt(discriminant > 0.0f ? discriminant : 0.0f)) / sumW;
+  const float best = t1 < one ? two : one;
+
+  const float w2 = 1.0f / (s2 * s2);
+  sumW += w2;
+  sumT += w2 * t2;
+  sumTT += w2 * t2 * t2;
+  discriminant = sumT * sumT - sumW * (sumTT - 1.0f);
+  const float three = (sumT + std::sqrt(discriminant > 0.0f ? discriminant : 0.0f)) / sumW;
+  return t2 < best ? three : best;
+}
+
+/** The magnitude of a neighbour's value, if it is on the same side of the zero level. */
+float
+SameSide(float own, float neighbour, float otherwise)
+{
+  return (own > 0.0f) == (neighbour > 0.0f) ? std::abs(neighbour) : otherwise;
 }
 } // namespace
 
@@ -68,107 +96,153 @@ LevelSet::LevelSet(const Index & lower, const Index & size, const Vector & spaci
   , m_Size(size)
   , m_Spacing(spacing)
   , m_Width(width)
-  , m_Values(std::size_t(size[0]) * size[1] * size[2], float(-width))
+  , m_Values(std::size_t(size[0]) * size[1] * size[2] + Lanes, float(-width))
 {}
 
 void
 LevelSet::SelectBand(double distance)
 {
+  m_BandDistance = distance;
   m_Band.clear();
+  m_Runs.clear();
   std::size_t n = 0;
   for (int k = 0; k < m_Size[2]; ++k)
   {
     for (int j = 0; j < m_Size[1]; ++j)
     {
-      const bool rim = k == 0 || j == 0 || k == m_Size[2] - 1 || j == m_Size[1] - 1;
+      const bool    rim = k == 0 || j == 0 || k == m_Size[2] - 1 || j == m_Size[1] - 1;
+      std::uint32_t length = 0;
       for (int i = 0; i < m_Size[0]; ++i, ++n)
       {
         if (!rim && i > 0 && i < m_Size[0] - 1 && std::abs(m_Values[n]) < distance)
         {
           m_Band.push_back(std::uint32_t(n));
+          ++length;
+        }
+        else if (length > 0)
+        {
+          m_Runs.push_back({ std::uint32_t(m_Band.size()) - length, length });
+          length = 0;
         }
       }
     }
   }
 }
 
+template <typename TBody>
 void
-LevelSet::Redistance()
+LevelSet::ForEachRun(const TBody & body) const
 {
-  const std::array<std::ptrdiff_t, 3> stride{ { 1, m_Size[0], std::ptrdiff_t(m_Size[0]) * m_Size[1] } };
-  const std::size_t                   count = m_Band.size();
-  std::vector<float>                  distance(count);
-  std::vector<char>                   settled(count);
+  ParallelFor(m_Runs.size(), RunGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r)
+    {
+      body(m_Runs[r].place, m_Band[m_Runs[r].place], m_Runs[r].length, begin / RunGrain);
+    }
+  });
+}
 
-  ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
+template <typename TValue>
+void
+LevelSet::ComputeOverBand(const TValue & valueAt, std::vector<float> & result) const
+{
+  this->ForEachRun([&](std::size_t place, std::size_t node, std::size_t length, std::size_t) {
+    for (std::size_t start = 0; start < length; start += Lanes)
     {
-      const float * v = &m_Values[m_Band[b]];
-      double        inverseSquares = 0.0;
-      for (int a = 0; a < 3; ++a)
+      // all lanes, whether there is a node for each or not
+      float lanes[Lanes];
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
       {
-        double nearest = 2.0;
-        for (const auto step : { -stride[a], stride[a] })
-        {
-          if ((v[0] > 0.0f) != (v[step] > 0.0f))
-          {
-            nearest = std::min(nearest, std::max(1e-3, double(v[0]) / (double(v[0]) - v[step])));
-          }
-        }
-        if (nearest < 1.5)
-        {
-          inverseSquares += 1.0 / (nearest * nearest * m_Spacing[a] * m_Spacing[a]);
-        }
+        lanes[lane] = valueAt(node + start + lane);
       }
-      settled[b] = inverseSquares > 0.0;
-      distance[b] = settled[b] ? float(1.0 / std::sqrt(inverseSquares)) : float(m_Width);
+      std::copy_n(lanes, std::min(length - start, std::size_t(Lanes)), &result[place + start]);
     }
   });
-  ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
+}
+
+void
+LevelSet::Redistance(Before before)
+{
+  const std::ptrdiff_t  sx = 1;
+  const std::ptrdiff_t  sy = m_Size[0];
+  const std::ptrdiff_t  sz = sy * m_Size[1];
+  const Eigen::Vector3f spacing = m_Spacing.cast<float>();
+  const float           width = float(m_Width);
+  const float *         values = m_Values.data();
+  std::vector<float>    distance(m_Band.size());
+  const auto            commit = [&] {
+    this->ForEachRun([&](std::size_t place, std::size_t node, std::size_t length, std::size_t) {
+      for (std::size_t i = 0; i < length; ++i)
+      {
+        m_Values[node + i] = std::copysign(distance[place + i], m_Values[node + i] > 0.0f ? 1.0f : -1.0f);
+      }
+    });
+  };
+
+  const auto crossing = [](float own, float before, float after) {
+    float nearest = 2.0f;
+    for (const float other : { before, after })
     {
-      float & v = m_Values[m_Band[b]];
-      v = std::copysign(distance[b], v > 0.0f ? 1.0f : -1.0f);
+      const float fraction = own / (own - other);
+      const float atLeast = fraction > 1e-3f ? fraction : 1e-3f;
+      nearest = (own > 0.0f) != (other > 0.0f) && atLeast < nearest ? atLeast : nearest;
     }
-  });
+    return nearest;
+  };
+  this->ComputeOverBand(
+    [&](std::size_t n) {
+      const float * v = values + n;
+      const float   x = crossing(v[0], v[-sx], v[sx]) * spacing[0];
+      const float   y = crossing(v[0], v[-sy], v[sy]) * spacing[1];
+      const float   z = crossing(v[0], v[-sz], v[sz]) * spacing[2];
+      const float   inverse = (x < 1.5f * spacing[0] ? 1.0f / (x * x) : 0.0f) +
+                            (y < 1.5f * spacing[1] ? 1.0f / (y * y) : 0.0f) +
+                            (z < 1.5f * spacing[2] ? 1.0f / (z * z) : 0.0f);
+      if (!(inverse > 0.0f))
+      {
+        return width;
+      }
+      // By the crossings the zero level is a plane, which makes what is convex smaller each time. By the slope it may
+      // be curved, but the slope is wrong where two parts of it are close to each other.
+      const float straight = 1.0f / std::sqrt(inverse);
+      const float gx = (v[sx] - v[-sx]) / (2.0f * spacing[0]);
+      const float gy = (v[sy] - v[-sy]) / (2.0f * spacing[1]);
+      const float gz = (v[sz] - v[-sz]) / (2.0f * spacing[2]);
+      const float slope = std::sqrt(gx * gx + gy * gy + gz * gz);
+      const float curved = std::abs(v[0]) / slope;
+      const bool  isRegular =
+        before == Before::NearDistances && slope > 0.7f && curved < 1.3f * straight && straight < 1.3f * curved;
+      return isRegular ? curved : straight;
+    },
+    distance);
+  commit();
 
   // From here on outwards; the band is only a few nodes wide, so few rounds settle it.
-  const int rounds = 2 + int(std::ceil(1.5 * m_Width));
+  const int rounds = 2 + int(std::ceil(1.5 * m_BandDistance));
   for (int round = 0; round < rounds; ++round)
   {
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-      {
-        const float * v = &m_Values[m_Band[b]];
-        distance[b] = std::abs(v[0]);
-        if (settled[b])
-        {
-          continue;
-        }
-        std::array<double, 3> t;
-        std::array<double, 3> s;
-        for (int a = 0; a < 3; ++a)
-        {
-          t[a] = m_Width;
-          s[a] = m_Spacing[a];
-          for (const auto step : { -stride[a], stride[a] })
-          {
-            if ((v[0] > 0.0f) == (v[step] > 0.0f))
-            {
-              t[a] = std::min(t[a], double(std::abs(v[step])));
-            }
-          }
-        }
-        distance[b] = float(std::min(m_Width, SolveEikonal(t, s)));
-      }
-    });
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-      {
-        float & v = m_Values[m_Band[b]];
-        v = std::copysign(distance[b], v);
-      }
-    });
+    this->ComputeOverBand(
+      [&](std::size_t n) {
+        const float * v = values + n;
+        const float   own = v[0];
+        const float   none = 2.0f * width;
+        const float   xBefore = SameSide(own, v[-sx], none);
+        const float   xAfter = SameSide(own, v[sx], none);
+        const float   yBefore = SameSide(own, v[-sy], none);
+        const float   yAfter = SameSide(own, v[sy], none);
+        const float   zBefore = SameSide(own, v[-sz], none);
+        const float   zAfter = SameSide(own, v[sz], none);
+        const float   solution = SolveEikonal(std::min({ xBefore, xAfter, width }),
+                                            std::min({ yBefore, yAfter, width }),
+                                            std::min({ zBefore, zAfter, width }),
+                                            spacing[0],
+                                            spacing[1],
+                                            spacing[2]);
+        // nodes beside the zero level know their distance
+        const bool beside = std::max({ xBefore, xAfter, yBefore, yAfter, zBefore, zAfter }) == none;
+        return beside ? std::abs(own) : std::min(width, solution);
+      },
+      distance);
+    commit();
   }
 }
 
@@ -176,45 +250,37 @@ void
 LevelSet::MeanOverBand(const std::vector<float> & speed, Scratch & scratch) const
 {
   // Repeated averages over the six neighbours; nodes count the less, the further they are from the zero level.
-  const std::array<std::ptrdiff_t, 3> stride{ { 1, m_Size[0], std::ptrdiff_t(m_Size[0]) * m_Size[1] } };
-  const std::size_t                   count = m_Band.size();
-  std::vector<float> &                weight = scratch.weight;
-  std::vector<float> &                mean = scratch.mean;
-  std::vector<float> &                next = scratch.bandMean;
+  const std::ptrdiff_t sx = 1;
+  const std::ptrdiff_t sy = m_Size[0];
+  const std::ptrdiff_t sz = sy * m_Size[1];
+  std::vector<float> & weight = scratch.weight;
+  std::vector<float> & weighted = scratch.weighted;
   weight.resize(m_Values.size(), 0.0f);
-  mean.resize(m_Values.size(), 0.0f);
-  next.resize(count);
-  ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b)
+  weighted.resize(m_Values.size(), 0.0f);
+  scratch.bandMean = speed;
+  this->ForEachRun([&](std::size_t, std::size_t node, std::size_t length, std::size_t) {
+    for (std::size_t i = 0; i < length; ++i)
     {
-      weight[m_Band[b]] = std::max(0.0f, 1.5f - std::abs(m_Values[m_Band[b]]));
-      mean[m_Band[b]] = speed[b];
+      weight[node + i] = std::max(0.0f, 1.5f - std::abs(m_Values[node + i]));
     }
   });
   for (int round = 0; round < AveragingRounds; ++round)
   {
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
+    this->ForEachRun([&](std::size_t place, std::size_t node, std::size_t length, std::size_t) {
+      for (std::size_t i = 0; i < length; ++i)
       {
-        const std::size_t n = m_Band[b];
-        float             sum = weight[n] * mean[n];
-        float             total = weight[n];
-        for (int a = 0; a < 3; ++a)
-        {
-          const std::size_t before = n - stride[a];
-          const std::size_t after = n + stride[a];
-          sum += weight[before] * mean[before] + weight[after] * mean[after];
-          total += weight[before] + weight[after];
-        }
-        next[b] = total > 0.0f ? sum / total : 0.0f;
+        weighted[node + i] = weight[node + i] * scratch.bandMean[place + i];
       }
     });
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-      {
-        mean[m_Band[b]] = next[b];
-      }
-    });
+    const float * w = weight.data();
+    const float * m = weighted.data();
+    this->ComputeOverBand(
+      [&](std::size_t n) {
+        const float total = w[n] + w[n - sx] + w[n + sx] + w[n - sy] + w[n + sy] + w[n - sz] + w[n + sz];
+        const float sum = m[n] + m[n - sx] + m[n + sx] + m[n - sy] + m[n + sy] + m[n - sz] + m[n + sz];
+        return total > 0.0f ? sum / total : 0.0f;
+      },
+      scratch.bandMean);
   }
 }
 
@@ -234,20 +300,21 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
   const float          qx = float(inverse[0] * inverse[0]);
   const float          qy = float(inverse[1] * inverse[1]);
   const float          qz = float(inverse[2] * inverse[2]);
-  const double         timeStep = 0.45 / (qx + qy + qz);
+  const float          timeStep = 0.45f / (qx + qy + qz);
   const std::size_t    count = m_Band.size();
+  const float *        values = m_Values.data();
   std::vector<float>   speed(count);
+  std::vector<float>   change(count, 0.0f);
   Scratch              scratch;
-  const std::size_t    ranges = (count + Grain - 1) / Grain;
-  std::vector<double>  squares(ranges);
+  std::vector<Motion>  motions((m_Runs.size() + RunGrain - 1) / RunGrain);
+  const double         longest = tolerance * timeStep / (1.0 - Momentum);
 
   int step = 0;
   while (step < maximumSteps)
   {
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b)
-      {
-        const float * v = &m_Values[m_Band[b]];
+    this->ComputeOverBand(
+      [&](std::size_t n) {
+        const float * v = values + n;
         const float   c = v[0];
         const float   gx = (v[sx] - v[-sx]) * hx;
         const float   gy = (v[sy] - v[-sy]) * hy;
@@ -259,35 +326,42 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
         const float   xz = (v[sx + sz] + v[-sx - sz] - v[sx - sz] - v[sz - sx]) * hx * hz;
         const float   yz = (v[sy + sz] + v[-sy - sz] - v[sy - sz] - v[sz - sy]) * hy * hz;
         const float   squaredNorm = gx * gx + gy * gy + gz * gz;
-        speed[b] = ((yy + zz) * gx * gx + (xx + zz) * gy * gy + (xx + yy) * gz * gz -
-                             2.0f * (gx * gy * xy + gx * gz * xz + gy * gz * yz)) /
-                            (squaredNorm + 1e-4f);
-      }
-    });
+        return ((yy + zz) * gx * gx + (xx + zz) * gy * gy + (xx + yy) * gz * gz -
+                2.0f * (gx * gy * xy + gx * gz * xz + gy * gz * yz)) /
+               (squaredNorm + 1e-4f);
+      },
+      speed);
     if (step % StepsPerMean == 0)
     {
       this->MeanOverBand(speed, scratch);
     }
-    ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-      double sum = 0.0;
-      for (std::size_t b = begin; b < end; ++b)
+    std::fill(motions.begin(), motions.end(), Motion());
+    this->ForEachRun([&](std::size_t place, std::size_t node, std::size_t length, std::size_t range) {
+      float sum = 0.0f;
+      float nodes = 0.0f;
+      for (std::size_t i = 0; i < length; ++i)
       {
-        float &      v = m_Values[m_Band[b]];
-        const float  moved = v + float(timeStep) * (speed[b] - scratch.bandMean[b]);
-        const float  next = std::min(upper[b], std::max(lower[b], moved));
-        const double change = double(next) - v;
-        sum += change * change;
-        v = next;
+        const std::size_t b = place + i;
+        const float       v = m_Values[node + i];
+        const float       moved = v + timeStep * (speed[b] - scratch.bandMean[b]) + Momentum * change[b];
+        const float       next = std::min(upper[b], std::max(lower[b], moved));
+        change[b] = next - v;
+        const bool near = std::abs(v) < NearDistance;
+        sum += near ? change[b] * change[b] : 0.0f;
+        nodes += near ? 1.0f : 0.0f;
+        m_Values[node + i] = next;
       }
-      squares[begin / Grain] = sum;
+      motions[range].squares += sum;
+      motions[range].nodes += nodes;
     });
     ++step;
-    double sum = 0.0;
-    for (const double square : squares)
+    Motion all;
+    for (const Motion & motion : motions)
     {
-      sum += square;
+      all.squares += motion.squares;
+      all.nodes += motion.nodes;
     }
-    if (std::sqrt(sum / std::max<std::size_t>(count, 1)) < tolerance * timeStep)
+    if (std::sqrt(all.squares / std::max(all.nodes, 1.0)) < longest)
     {
       break;
     }

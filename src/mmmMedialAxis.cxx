@@ -28,10 +28,14 @@ namespace mmm
 namespace
 {
 constexpr double JunctionReach = 2.5;
+constexpr double JunctionTolerance = 0.01;
 constexpr double ThinLayer = 3.0;
 constexpr double ProbeStep = 0.3;
 constexpr double LeastDepth = 1.0;
 constexpr double LeastSeparation = 1.5;
+/** The nearest sample is at most this far from the foot. */
+constexpr double LongestRefinement = 1.0;
+constexpr double LongestCorrection = 0.75;
 
 /** The nodes that a node's feet are compared with. Around an isolated axis point, such as a ball's centre, only
  * neighbours across a diagonal see their feet on opposite sides; they lie further apart and have to differ by more. */
@@ -91,7 +95,14 @@ public:
       brick[a] = std::min(std::max(node, 0), grid.size[a] - 1) / m_Edge[a];
     }
     const auto & triples = m_Triples[(brick[2] * m_Bricks[1] + brick[1]) * m_Bricks[0] + brick[0]];
-    return std::binary_search(triples.begin(), triples.end(), triple);
+    if (!std::binary_search(triples.begin(), triples.end(), triple))
+    {
+      return false;
+    }
+    // the sides of a layer that is thinner than a dual cube do not meet
+    Vector junction = x;
+    return m_Indicators.Project(triple, junction, JunctionReach) &&
+           m_Indicators.CellIndicator(triple, junction) < JunctionTolerance;
   }
 
 private:
@@ -193,10 +204,70 @@ MeetInJunction(const JunctionTable & junctions,
   return junctions.HasNear(triple, p) || junctions.HasNear(triple, q);
 }
 
+/** The foot of x on the plane that touches the interface at a sample, which is known to be near. */
+Vector
+RefineFoot(const InterfaceSample & sample, const Vector & x)
+{
+  const Vector away = x - sample.position;
+  const Vector along = away - away.dot(sample.normal) * sample.normal;
+  const double length = along.norm();
+  return sample.position + (length > LongestRefinement ? Vector(along * (LongestRefinement / length)) : along);
+}
+
+/** The point between x and y that is as far from p as from q. */
+Vector
+EquidistantPoint(const Vector & x, const Vector & y, const Vector & p, const Vector & q)
+{
+  const Vector apart = q - p;
+  const double slope = (y - x).dot(apart);
+  const double fraction = slope > 0.0 ? (0.5 * (p + q) - x).dot(apart) / slope : 0.5;
+  return x + std::min(std::max(fraction, 0.0), 1.0) * (y - x);
+}
+
+/** The centre of the ball that touches the interfaces at p and q, by the normals there, near a guess. Normals are known
+ * less well than feet: they do not move the guess by more than LongestCorrection. */
+Vector
+BallCentre(const Vector & guess, const Vector & p, const Vector & normalAtP, const Vector & q, const Vector & normalAtQ)
+{
+  // a ball through both that touches the plane of normal n at one of them has the radius |q - p|^2 / 2 n (q - p)
+  const Vector apart = q - p;
+  const double slopeP = normalAtP.dot(apart);
+  const double slopeQ = normalAtQ.dot(apart);
+  const double square = apart.squaredNorm();
+  if (std::min(slopeP * slopeP, slopeQ * slopeQ) < 0.25 * square)
+  {
+    return guess;
+  }
+  const Vector centre = 0.5 * (p + q) + 0.25 * square * (normalAtP / slopeP - normalAtQ / slopeQ);
+  const Vector correction = centre - guess;
+  const double length = correction.norm();
+  return guess + (length > LongestCorrection ? Vector(correction * (LongestCorrection / length)) : correction);
+}
+
 Material
 Opposite(const InterfaceSample & sample, Material own)
 {
   return sample.first == own ? sample.second : sample.first;
+}
+
+/** Whether the nodes along a line into a material are all its own, as far as a thin layer may reach. */
+bool
+IsThick(const IndicatorSet & indicators, const Vector & from, const Vector & inwards, Material own)
+{
+  const Grid & grid = indicators.GetGrid();
+  for (double t = 3.0 * ProbeStep; t <= ThinLayer + 3.0 * ProbeStep; t += 3.0 * ProbeStep)
+  {
+    Index node;
+    for (int a = 0; a < 3; ++a)
+    {
+      node[a] = int(std::floor((from[a] + t * inwards[a]) / grid.spacing[a] + 0.5));
+    }
+    if (!grid.Contains(node) || indicators.MaterialAtNode(grid.Offset(node)) != own)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /** The axis point across a thin layer, from `sample` into the material `own`. Returns false where there is none. */
@@ -208,8 +279,12 @@ ProbeThinLayer(const IndicatorSet &    indicators,
                Vector &                axisPoint)
 {
   const Vector inwards = sample.first == own ? Vector(-sample.normal) : sample.normal;
-  double       inside = 0.0;
-  double       outside = 0.0;
+  if (IsThick(indicators, sample.position, inwards, own))
+  {
+    return false;
+  }
+  double inside = 0.0;
+  double outside = 0.0;
   for (double t = ProbeStep; t <= ThinLayer + ProbeStep; t += ProbeStep)
   {
     if (indicators.MaterialAt(sample.position + t * inwards) != own)
@@ -306,17 +381,19 @@ CompareFeet(const IndicatorSet &                 indicators,
             }
             const Vector            y = grid.Position(after);
             const InterfaceSample & q = samples[feet.sources[m]];
-            const Vector            toP = p.position - x;
-            const Vector            toQ = q.position - y;
-            if ((p.position - q.position).squaredNorm() < LeastSeparation * LeastSeparation ||
+            const Vector            atP = RefineFoot(p, x);
+            const Vector            atQ = RefineFoot(q, y);
+            const Vector            toP = atP - x;
+            const Vector            toQ = atQ - y;
+            if ((atP - atQ).squaredNorm() < LeastSeparation * LeastSeparation ||
                 toP.dot(toQ) > step.largestCosine * toP.norm() * toQ.norm())
             {
               continue;
             }
             const Material own = indicators.MaterialAtNode(n);
-            if (!MeetInJunction(junctions, own, Opposite(p, own), Opposite(q, own), p.position, q.position))
+            if (!MeetInJunction(junctions, own, Opposite(p, own), Opposite(q, own), atP, atQ))
             {
-              parts[k].push_back(0.5 * (x + y));
+              parts[k].push_back(BallCentre(EquidistantPoint(x, y, atP, atQ), atP, p.normal, atQ, q.normal));
             }
           }
         }

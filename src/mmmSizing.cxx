@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmSizing.h"
 
+#include "mmmLocalFeatureSize.h"
 #include "mmmMedialAxis.h"
 #include "mmmParallel.h"
 #include "mmmSourcePropagation.h"
@@ -29,41 +30,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 4096;
-
-/** The local feature size per interface sample; infinite where there is no medial axis at all. */
-std::vector<float>
-LocalFeatureSizes(const Grid & grid, const std::vector<InterfaceSample> & samples, const std::vector<Vector> & axis)
-{
-  std::vector<Source> sources;
-  sources.reserve(axis.size());
-  for (const auto & point : axis)
-  {
-    sources.push_back({ point.cast<float>(), 0.0f });
-  }
-  const PropagatedField distance = PropagateSources(grid, sources, 1.0);
-  std::vector<float>    sizes(samples.size(), std::numeric_limits<float>::infinity());
-  ParallelFor(samples.size(), Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t s = begin; s < end; ++s)
-    {
-      // the nearest axis point is what one of the nodes around the sample found nearest
-      const Vector & x = samples[s].position;
-      for (int corner = 0; corner < 8; ++corner)
-      {
-        Index at;
-        for (int a = 0; a < 3; ++a)
-        {
-          at[a] = int(std::floor(x[a] / grid.spacing[a])) + ((corner >> a) & 1);
-        }
-        if (grid.Contains(at) && distance.sources[grid.Offset(at)] != PropagatedField::NoSource)
-        {
-          const Vector & point = axis[distance.sources[grid.Offset(at)]];
-          sizes[s] = std::min(sizes[s], float((point - x).norm()));
-        }
-      }
-    }
-  });
-  return sizes;
-}
 } // namespace
 
 double
@@ -101,7 +67,7 @@ ComputeSizing(const IndicatorSet &     indicators,
   monitor.Report(0.1);
   const auto axis = ComputeMedialAxis(indicators, samples);
   monitor.Report(0.5);
-  const auto featureSizes = LocalFeatureSizes(grid, samples, axis);
+  const auto featureSizes = ComputeLocalFeatureSizes(grid, samples, axis);
   monitor.Report(0.7);
 
   const SizeRules     rules(indicators, parameters, control);
@@ -118,7 +84,7 @@ ComputeSizing(const IndicatorSet &     indicators,
   });
   rules.CompleteSources(sources);
   monitor.Report(0.8);
-  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit).values;
+  std::vector<float> sizing = PropagateSources(grid, sources, parameters.gradientLimit, rules.NodeSizes()).values;
   rules.LimitSizes(sizing);
   monitor.Report(1.0);
   return sizing;

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mmm
 {
@@ -126,22 +127,12 @@ SizeRules::CompleteSources(std::vector<Source> & sources) const
   const auto isInfinite = [](const Source & source) { return std::isinf(source.value); };
   sources.erase(std::remove_if(sources.begin(), sources.end(), isInfinite), sources.end());
 
-  const Grid & grid = m_Indicators.GetGrid();
-  for (std::size_t n = 0; n < m_Control.image.size(); ++n)
-  {
-    const float size = m_Control.image[n];
-    if (size < SizingControl::NoLimit)
-    {
-      const float value =
-        m_Control.imageReplaces ? float(this->In(m_Indicators.MaterialAtNode(n), this->IsInRegion(n), size)) : size;
-      sources.push_back({ grid.Position(grid.IndexAt(n)).cast<float>(), value });
-    }
-  }
   if (!m_HasLocalLimits)
   {
     return;
   }
   // a limit spreads from the rim of where it holds
+  const Grid & grid = m_Indicators.GetGrid();
   for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
   {
     const float limit = this->LimitAt(n);
@@ -158,6 +149,26 @@ SizeRules::CompleteSources(std::vector<Source> & sources) const
       sources.push_back({ grid.Position(at).cast<float>(), limit });
     }
   }
+}
+
+std::vector<float>
+SizeRules::NodeSizes() const
+{
+  std::vector<float> sizes = m_Control.image;
+  ParallelFor(sizes.size(), Grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      if (!(sizes[n] < SizingControl::NoLimit))
+      {
+        sizes[n] = std::numeric_limits<float>::infinity();
+      }
+      else if (m_Control.imageReplaces)
+      {
+        sizes[n] = float(this->In(m_Indicators.MaterialAtNode(n), this->IsInRegion(n), sizes[n]));
+      }
+    }
+  });
+  return sizes;
 }
 
 void

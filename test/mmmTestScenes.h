@@ -21,6 +21,7 @@
 #include "mmmIndicatorSet.h"
 #include "mmmIndicatorSmoothing.h"
 #include "mmmSizing.h"
+#include "mmmTestShapes.h"
 
 #include <memory>
 
@@ -44,27 +45,24 @@ MakeMaterials(const mmm::Index & size, const mmm::Vector & spacing, std::size_t 
   return image;
 }
 
-/** The indicators of an image, with the memory that they are in. */
+/** An image and its indicators. */
 struct Scene
 {
   mmm::MaterialImage                 image;
-  std::vector<mmm::Block<float>>     blocks;
   std::unique_ptr<mmm::IndicatorSet> indicators;
 
   explicit Scene(mmm::MaterialImage materials, double radius = 0.5)
     : image(std::move(materials))
   {
-    const auto                               boxes = mmm::ComputeMaterialBoxes(image);
-    std::vector<mmm::BlockView<const float>> views;
+    const auto                        boxes = mmm::ComputeMaterialBoxes(image);
+    std::vector<mmm::IndicatorBricks> bricks;
     for (std::size_t m = 0; m < boxes.size(); ++m)
     {
-      blocks.push_back(mmm::ComputeSmoothIndicator(image, mmm::Material(m), boxes[m], radius));
+      const auto                        block = mmm::ComputeSmoothIndicator(image, mmm::Material(m), boxes[m], radius);
+      const mmm::BlockView<const float> view{ block.lower, block.size, block.values.data() };
+      bricks.emplace_back(image.grid, view, -float(mmm::IndicatorBandWidth));
     }
-    for (const auto & block : blocks)
-    {
-      views.push_back({ block.lower, block.size, block.values.data() });
-    }
-    indicators = std::make_unique<mmm::IndicatorSet>(image.grid, views, -mmm::IndicatorBandWidth);
+    indicators = std::make_unique<mmm::IndicatorSet>(image.grid, std::move(bricks), -mmm::IndicatorBandWidth);
   }
 };
 
@@ -75,21 +73,6 @@ MakeBallMaterials(int size, const mmm::Vector & centre, double radius)
   return MakeMaterials({ { size, size, size } }, mmm::Vector::Ones(), 2, [=](const mmm::Vector & x) {
     return (x - centre).norm() < radius ? 1 : 0;
   });
-}
-
-/** Points spread evenly over the unit sphere. */
-inline std::vector<mmm::Vector>
-SpherePoints(int count)
-{
-  std::vector<mmm::Vector> points;
-  for (int n = 0; n < count; ++n)
-  {
-    const double z = 1.0 - (2.0 * n + 1.0) / count;
-    const double r = std::sqrt(1.0 - z * z);
-    const double angle = 2.399963229728653 * n;
-    points.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
-  }
-  return points;
 }
 } // namespace mmmtest
 
