@@ -31,9 +31,9 @@ struct OptimizationParameters
 {
   /** Tetrahedra with a dihedral angle below this, in degrees, are poor: all is done to improve them, on interfaces too.
    * Large angles count alike: quality falls off at both ends. */
-  double poorAngle{ 18.0 };
+  double poorAngle{ 26.0 };
   /** Below this, edges and faces within a material are flipped. */
-  double flipAngle{ 30.0 };
+  double flipAngle{ 32.0 };
   /** Triangles of interfaces with a radius ratio below this are poor. */
   double poorTriangle{ 0.8 };
   /** Rounds of local changes and smoothing; fewer if nothing is changed any more. */

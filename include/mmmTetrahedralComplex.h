@@ -98,11 +98,30 @@ public:
   void
   Replace(const std::vector<Id> & old, const std::vector<Element> & fresh, std::vector<Id> & ids);
 
+  /** Numbers the tetrahedra that are left anew, in the order of their ids, so that all ids below Size() are alive. */
+  void
+  Compact();
+
+  /** Corners and materials by id; those of free ids mean nothing. */
+  const std::vector<Tetrahedron> &
+  Tetrahedra() const
+  {
+    return m_Corners;
+  }
+  const std::vector<Material> &
+  Materials() const
+  {
+    return m_Materials;
+  }
+
   /** The tetrahedra that are left, in the order of their ids. */
   TetrahedralMesh
   GetMesh() const;
 
 private:
+  void
+  FindTetrahedronOfEachPoint();
+
   std::vector<Tetrahedron>       m_Corners;
   std::vector<std::array<Id, 4>> m_Neighbours;
   std::vector<Material>          m_Materials;

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmIndicatorConstraint.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mmm
@@ -44,6 +45,13 @@ bool
 IndicatorConstraint::Project(PointId p, Vector & x) const
 {
   return m_Indicators.Project(m_Cells[p], x, 1.0) && m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance);
+}
+
+bool
+IndicatorConstraint::MayLeaveCell(PointId p) const
+{
+  const Cell & cell = m_Cells[p];
+  return std::none_of(cell.begin(), cell.end(), [this](Material m) { return m_Indicators.IsPlane(m); });
 }
 
 Vector

@@ -33,6 +33,8 @@ public:
   MaterialOf(Material m) const override;
   bool
   Project(PointId p, Vector & x) const override;
+  bool
+  MayLeaveCell(PointId p) const override;
   Vector
   AlongCell(PointId p, const Vector & x, const Vector & direction) const override;
   double

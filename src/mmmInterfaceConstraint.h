@@ -44,6 +44,9 @@ public:
   /** Brings a new place for a point to the point's cell; false where there is none nearby. */
   virtual bool
   Project(PointId p, Vector & x) const = 0;
+  /** Whether a point may leave its cell, within the tolerance, for the sake of a nearly flat tetrahedron. */
+  virtual bool
+  MayLeaveCell(PointId p) const = 0;
   /** The part of a direction that a point at x can follow. */
   virtual Vector
   AlongCell(PointId p, const Vector & x, const Vector & direction) const = 0;

@@ -200,21 +200,19 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
   OptimizationReport report;
   const double       flipQuality = QualityOfAngle(parameters.flipAngle);
   const double       poorQuality = QualityOfAngle(parameters.poorAngle);
-  report.moves += PointSmoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials).SmoothAll();
+  OptimizerState     state{ constraint, exterior, constraint.Cells(),
+                        parameters, points,   TetrahedralComplex(mesh, points.size()),
+                        report };
+  mesh = TetrahedralMesh();
+  report.moves += PointSmoother(constraint, exterior, points, state.complex).SmoothAll();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
-    std::size_t changes = 0;
-    {
-      OptimizerState state{ constraint, exterior, constraint.Cells(),
-                            parameters, points,   TetrahedralComplex(mesh, points.size()),
-                            report };
-      ConnectivityImprover improver(state);
-      changes = improver.ImproveTriangles(parameters.poorTriangle);
-      changes += improver.Improve(flipQuality, poorQuality);
-      mesh = state.complex.GetMesh();
-    }
-    PointSmoother smoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials);
+    ConnectivityImprover improver(state);
+    std::size_t          changes = improver.ImproveTriangles(parameters.poorTriangle);
+    changes += improver.Improve(flipQuality, poorQuality);
+    state.complex.Compact();
+    PointSmoother smoother(constraint, exterior, points, state.complex);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.rounds = round + 1;
@@ -224,6 +222,7 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
       break;
     }
   }
+  mesh = state.complex.GetMesh();
   return report;
 }
 } // namespace mmm

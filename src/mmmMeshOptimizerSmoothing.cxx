@@ -19,7 +19,6 @@
 
 #include "mmmOptimizerState.h"
 #include "mmmParallel.h"
-#include "mmmTetrahedronNeighbours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,21 +39,21 @@ WorthOfTriangle(double radiusRatio)
 /** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
 constexpr double AngleToKeep = 30.0;
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
-constexpr double AngleToLeaveCell = 10.0;
+constexpr double AngleToLeaveCell = 20.0;
 } // namespace
 
-PointSmoother::PointSmoother(const InterfaceConstraint &      constraint,
-                             Material                         exterior,
-                             std::vector<Vector> &            points,
-                             const std::vector<Tetrahedron> & tetrahedra,
-                             const std::vector<Material> &    materials)
+PointSmoother::PointSmoother(const InterfaceConstraint & constraint,
+                             Material                    exterior,
+                             std::vector<Vector> &       points,
+                             const TetrahedralComplex &  complex)
   : m_Constraint(constraint)
   , m_Exterior(exterior)
   , m_Cells(constraint.Cells())
   , m_Points(points)
-  , m_Tetrahedra(tetrahedra)
-  , m_Materials(materials)
-  , m_Star(points.size(), tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return tetrahedra[t]; })
+  , m_Complex(complex)
+  , m_Tetrahedra(complex.Tetrahedra())
+  , m_Materials(complex.Materials())
+  , m_Star(points.size(), m_Tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return m_Tetrahedra[t]; })
 {
   this->ClassifyPoints();
   this->ColourPoints();
@@ -64,14 +63,13 @@ void
 PointSmoother::ClassifyPoints()
 {
   // the materials that really meet at each point, against those of its cell
-  const auto                                              neighbours = ComputeTetrahedronNeighbours(m_Tetrahedra);
   std::vector<std::pair<PointId, std::array<PointId, 2>>> fans;
   std::vector<char>                                       outside(m_Points.size(), 0);
   for (std::uint32_t t = 0; t < m_Tetrahedra.size(); ++t)
   {
     for (int f = 0; f < 4; ++f)
     {
-      const auto other = neighbours[t][f];
+      const auto other = m_Complex.Neighbour(t, f);
       if (other == NoTetrahedron ? this->IsExterior(t) : m_Materials[other] <= m_Materials[t])
       {
         continue;
@@ -256,10 +254,9 @@ PointSmoother::Admit(PointId p, Vector & x, double slack) const
   {
     return false;
   }
-  const Cell & cell = m_Cells[p];
-  if (std::any_of(cell.begin(), cell.end(), [this](Material m) { return m_Constraint.MaterialOf(m) != m; }))
+  if (!m_Constraint.MayLeaveCell(p))
   {
-    slack = 0.0; // borders and creases are sharp
+    slack = 0.0;
   }
   const double distance = (x - onCell).norm();
   x = distance > slack ? Vector(onCell + slack / distance * (x - onCell)) : x;

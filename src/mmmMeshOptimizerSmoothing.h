@@ -21,7 +21,7 @@
 #include "mmmIncidence.h"
 #include "mmmIndicatorSet.h"
 #include "mmmInterfaceConstraint.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedralComplex.h"
 
 #include <cstdint>
 #include <functional>
@@ -57,7 +57,7 @@ QualityOfAngle(double degrees)
 
 /** \brief Moves points, one at a time, so that the worst tetrahedron around each gets better.
  *
- * Works on a fixed connectivity. Points that share no tetrahedron are moved side by side. */
+ * Works on a fixed connectivity, which has to be compact. Points that share no tetrahedron are moved side by side. */
 class PointSmoother
 {
 public:
@@ -69,11 +69,10 @@ public:
     Free
   };
 
-  PointSmoother(const InterfaceConstraint &      constraint,
-                Material                         exterior,
-                std::vector<Vector> &            points,
-                const std::vector<Tetrahedron> & tetrahedra,
-                const std::vector<Material> &    materials);
+  PointSmoother(const InterfaceConstraint & constraint,
+                Material                    exterior,
+                std::vector<Vector> &       points,
+                const TetrahedralComplex &  complex);
 
   /** Moves all points so that the radius ratios around them grow on average. Returns the number of moves. */
   std::size_t
@@ -124,6 +123,7 @@ private:
   const Material                   m_Exterior;
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;
+  const TetrahedralComplex &       m_Complex;
   const std::vector<Tetrahedron> & m_Tetrahedra;
   const std::vector<Material> &    m_Materials;
   std::vector<Freedom>             m_Freedom;

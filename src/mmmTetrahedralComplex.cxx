@@ -51,6 +51,13 @@ TetrahedralComplex::TetrahedralComplex(const TetrahedralMesh & mesh, std::size_t
   , m_Alive(mesh.tetrahedra.size(), 1)
   , m_PointTetrahedron(numberOfPoints, NoTetrahedron)
 {
+  this->FindTetrahedronOfEachPoint();
+}
+
+void
+TetrahedralComplex::FindTetrahedronOfEachPoint()
+{
+  std::fill(m_PointTetrahedron.begin(), m_PointTetrahedron.end(), NoTetrahedron);
   for (Id t = 0; t < m_Corners.size(); ++t)
   {
     for (const auto corner : m_Corners[t])
@@ -248,6 +255,40 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
       m_Neighbours[o.tetrahedron][o.number] = NoTetrahedron;
     }
   }
+}
+
+void
+TetrahedralComplex::Compact()
+{
+  std::vector<Id> number(m_Corners.size(), NoTetrahedron);
+  Id              left = 0;
+  for (Id t = 0; t < m_Corners.size(); ++t)
+  {
+    if (m_Alive[t])
+    {
+      number[t] = left++;
+    }
+  }
+  for (Id t = 0; t < m_Corners.size(); ++t)
+  {
+    if (!m_Alive[t])
+    {
+      continue;
+    }
+    for (auto & other : m_Neighbours[t])
+    {
+      other = other == NoTetrahedron ? NoTetrahedron : number[other];
+    }
+    m_Corners[number[t]] = m_Corners[t];
+    m_Neighbours[number[t]] = m_Neighbours[t];
+    m_Materials[number[t]] = m_Materials[t];
+  }
+  m_Corners.resize(left);
+  m_Neighbours.resize(left);
+  m_Materials.resize(left);
+  m_Alive.assign(left, 1);
+  m_Free.clear();
+  this->FindTetrahedronOfEachPoint();
 }
 
 TetrahedralMesh

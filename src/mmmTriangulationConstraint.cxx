@@ -393,6 +393,12 @@ TriangulationConstraint::Project(PointId p, Vector & x) const
   return true;
 }
 
+bool
+TriangulationConstraint::MayLeaveCell(PointId) const
+{
+  return false;
+}
+
 Vector
 TriangulationConstraint::AlongCell(PointId p, const Vector &, const Vector & direction) const
 {

@@ -55,6 +55,8 @@ public:
   }
   bool
   Project(PointId p, Vector & x) const override;
+  bool
+  MayLeaveCell(PointId p) const override;
   Vector
   AlongCell(PointId p, const Vector & x, const Vector & direction) const override;
   double

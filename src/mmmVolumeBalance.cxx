@@ -102,6 +102,7 @@ BalanceVolumes(const IndicatorSet &      indicators,
                std::vector<Vector> &     points)
 {
   const IndicatorConstraint constraint(indicators, exterior, cells);
-  PointSmoother(constraint, exterior, points, mesh.tetrahedra, mesh.materials).BalanceVolumes(indicators);
+  const TetrahedralComplex  complex(mesh, points.size());
+  PointSmoother(constraint, exterior, points, complex).BalanceVolumes(indicators);
 }
 } // namespace mmm
