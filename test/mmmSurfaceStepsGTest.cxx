@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmConformingDelaunay.h"
+#include "mmmEnclosure.h"
 #include "mmmInterfaceMesh.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
@@ -188,4 +189,44 @@ TEST(DelaunayTetrahedralization, RefusesPointsInOnePlane)
 {
   const std::vector<Vector> points{ { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 }, { 1, 1, 1 }, { 2, 3, 1 } };
   EXPECT_THROW(mmm::DelaunayTetrahedralization(points), itk::ExceptionObject);
+}
+
+TEST(Enclosure, LiesFarOutsideTheImageOnAllSides)
+{
+  mmm::Grid grid;
+  grid.size = { { 10, 20, 30 } };
+  grid.spacing = Vector(1.0, 1.5, 2.0);
+  for (const Vector & corner : mmm::EnclosingCorners(grid))
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const double extent = grid.size[a] * grid.spacing[a];
+      EXPECT_TRUE(corner[a] < -extent || corner[a] > 2.0 * extent);
+    }
+  }
+}
+
+TEST(Enclosure, TetrahedraHaveCornersAmongThePointsOnlyAndFillTheCube)
+{
+  mmm::Grid grid;
+  grid.size = { { 9, 9, 9 } };
+  grid.spacing = Vector::Ones();
+  const auto points = BoxPoints(8.0);
+  double     volume = 0.0;
+  for (const auto & t : mmm::TetrahedralizeWithin(grid, points))
+  {
+    ASSERT_LT(*std::max_element(t.begin(), t.end()), points.size());
+    volume += mmm::TetrahedronVolume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
+  }
+  EXPECT_NEAR(volume, 512.0, 1e-9);
+}
+
+TEST(Enclosure, RefusesPointsInOnePlane)
+{
+  mmm::Grid grid;
+  grid.size = { { 9, 9, 9 } };
+  grid.spacing = Vector::Ones();
+  auto points = BoxPoints(8.0);
+  points.resize(4);
+  EXPECT_THROW(mmm::TetrahedralizeWithin(grid, points), itk::ExceptionObject);
 }
