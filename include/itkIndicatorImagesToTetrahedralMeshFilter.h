@@ -85,6 +85,9 @@ public:
   SetExteriorLabels(const LabelsType & labels) override;
 
 protected:
+  /** The maps cannot be extended: an air margin is refused. */
+  void
+  VerifyPreconditions() const override;
   IndicatorImagesToTetrahedralMeshFilter();
   ~IndicatorImagesToTetrahedralMeshFilter() override = default;
 

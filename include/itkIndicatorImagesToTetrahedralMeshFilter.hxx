@@ -21,6 +21,7 @@
 #include "mmmFunctionIndicators.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace itk
 {
@@ -54,6 +55,19 @@ IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::SetExterio
 {
   Superclass::SetExteriorLabels(labels);
   m_LabelFilter->SetExteriorLabels(labels);
+}
+
+template <typename TIndicatorImage, typename TOutputMesh>
+void
+IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPreconditions() const
+{
+  Superclass::VerifyPreconditions();
+  if (!std::isnan(this->GetAirMargin()))
+  {
+    itkExceptionMacro("An air margin of " << this->GetAirMargin()
+                                          << " mm would need the indicators beyond their images. FillExterior meshes "
+                                             "the exterior up to the faces of the images' box.");
+  }
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <set>
 #include <string>
@@ -469,7 +470,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeGridSizingImage
   {
     return nullptr;
   }
-  const auto extended = mmm::CopyRegion(input, geometry.GetRegion(), mmm::SizingControl::NoLimit);
+  const auto extended = mmm::CopyRegion(input, geometry.GetRegion(), std::numeric_limits<float>::infinity());
   const auto sizes = mmm::ReadSizingImage(extended.GetPointer(), geometry);
   const auto image = SizingImageType::New();
   mmm::GridGeometry::SetGridGeometry(geometry.GetGrid(), image);

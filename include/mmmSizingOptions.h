@@ -45,6 +45,10 @@ struct SizingOptions
   bool     hasRegion{ false };
 };
 
+/** The edge length that keeps tetrahedra below a volume. */
+MultiMaterialMeshing_EXPORT double
+SizeOfVolume(double volume);
+
 /** What is wrong with the options, in a sentence; empty if nothing is. */
 MultiMaterialMeshing_EXPORT std::string
                             DescribeError(const SizingOptions & options);

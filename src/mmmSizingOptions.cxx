@@ -26,7 +26,7 @@ namespace mmm
 namespace
 {
 /** No tetrahedron of the mesh is larger than this part of the cube of the size that was asked for. */
-constexpr double LargestVolume = 0.4;
+constexpr double LargestVolume = 0.6;
 
 std::string
 DescribeRuleErrors(const SizingOptions & options)
@@ -50,13 +50,15 @@ DescribeRuleErrors(const SizingOptions & options)
   return DescribeError(options.region, "the region of interest");
 }
 
-/** The largest size that keeps tetrahedra below the largest volume, in the image's unit. */
-double
-SizeLimit(const SizingOptions & options)
-{
-  return std::cbrt(options.maximumVolume / LargestVolume);
-}
+/** Conversions between units change sizes by less than this. */
+constexpr double Rounding = 1.0 + 1e-5;
 } // namespace
+
+double
+SizeOfVolume(double volume)
+{
+  return std::cbrt(volume / LargestVolume);
+}
 
 std::string
 DescribeError(const SizingOptions & options)
@@ -95,10 +97,11 @@ DescribeError(const SizingOptions & options)
           << " mm.";
     return words.str();
   }
-  if (options.minimumSize > SizeLimit(options))
+  if (options.minimumSize > Rounding * SizeOfVolume(options.maximumVolume))
   {
-    words << "Tetrahedra of at most " << options.maximumVolume << " mm^3 need edges of at most " << SizeLimit(options)
-          << " mm, which is below the smallest size, " << options.minimumSize << " mm.";
+    words << "Tetrahedra of at most " << options.maximumVolume << " mm^3 need edges of at most "
+          << SizeOfVolume(options.maximumVolume) << " mm, which is below the smallest size, " << options.minimumSize
+          << " mm.";
     return words.str();
   }
   return DescribeRuleErrors(options);
@@ -137,7 +140,7 @@ ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
   }
   if (std::isfinite(options.maximumVolume))
   {
-    parameters.sizeLimit = geometry.ToGridUnit(SizeLimit(options));
+    parameters.sizeLimit = geometry.ToGridUnit(SizeOfVolume(options.maximumVolume));
   }
   parameters.minimumSize =
     std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize) : geometry.ToGridUnit(options.minimumSize);

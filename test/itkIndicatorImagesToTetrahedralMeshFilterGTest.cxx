@@ -253,6 +253,14 @@ TEST(IndicatorImagesToTetrahedralMeshFilter, MeshFollowsTheImagesGeometry)
   }
 }
 
+TEST(IndicatorImagesToTetrahedralMeshFilter, RejectsAnAirMarginAsMapsEndAtTheirImages)
+{
+  const auto filter = itk::IndicatorImagesToTetrahedralMeshFilter<FunctionImage>::New();
+  filter->SetInput(0, MakeBall(Probability));
+  filter->SetAirMargin(3.0);
+  mmmtest::ExpectException([&] { filter->Update(); }, "An air margin of 3 mm");
+}
+
 TEST(IndicatorImagesToTetrahedralMeshFilter, NumberOfThreadsDoesNotMatter)
 {
   std::vector<mmm::Vector> expected;

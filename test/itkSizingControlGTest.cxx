@@ -250,6 +250,14 @@ TEST(SizingControl, LargestVolumeBoundsAllSizes)
   EXPECT_FLOAT_EQ(SizeAt(filter, 15), SizeAt(filter, 0));
 }
 
+TEST(SizingControl, SmallestSizeMayBeJustThatOfTheLargestVolume)
+{
+  mmm::SizingOptions options;
+  options.minimumSize = 1.0;
+  options.maximumVolume = 0.6 * (1.0 - 1e-6);
+  EXPECT_EQ(mmm::DescribeError(options), "");
+}
+
 TEST(SizingControl, SizingFilterThrowsOnWhatContradicts)
 {
   const auto expect = [](const std::function<void(SizingFilter *)> & set, const std::string & words) {

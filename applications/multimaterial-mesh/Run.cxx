@@ -28,9 +28,11 @@
 #include "StageClock.h"
 #include "Summary.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
+#include "mmmSizingOptions.h"
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <utility>
 
 namespace cli
@@ -141,7 +143,9 @@ ResolveLengths(Settings & settings, const LabelImage & labels)
     settings.radius = settings.radius.value_or(0.5 * smallest);
   }
   settings.tolerance = settings.tolerance.value_or(0.1 * smallest);
-  settings.minSize = settings.minSize.value_or(std::min(smallest, settings.maxSize.value_or(smallest)));
+  const double infinity = std::numeric_limits<double>::infinity();
+  settings.minSize = settings.minSize.value_or(std::min(
+    { smallest, settings.maxSize.value_or(infinity), mmm::SizeOfVolume(settings.maxVolume.value_or(infinity)) }));
 }
 
 void

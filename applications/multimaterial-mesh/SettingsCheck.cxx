@@ -98,6 +98,10 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");
   }
+  if (settings.airMargin && !settings.indicators.empty())
+  {
+    throw UsageError("--air-margin is for LABELS; --fill-exterior meshes the exterior of --indicators");
+  }
   if (settings.indicators.empty() && !settings.indicatorLabels.empty())
   {
     throw UsageError("--indicator-labels is for --indicators; LABELS have their own");

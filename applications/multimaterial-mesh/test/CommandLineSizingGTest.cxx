@@ -175,6 +175,12 @@ TEST_F(CommandLineSizing, SizingImagesThatCannotBe)
   EXPECT_NE(result.error.find("The sizing image has the value nan at [0, 0, 0]"), std::string::npos) << result.error;
 }
 
+TEST_F(CommandLineSizing, VolumeGoesOverTheAutomaticSmallestSize)
+{
+  const auto report = this->Report({ "--max-volume", "0.3" });
+  EXPECT_LE(report["quality"]["overall"]["largest_volume_mm3"].get<double>(), 0.3);
+}
+
 TEST_F(CommandLineSizing, VolumeBelowTheSmallestSize)
 {
   this->ExpectFailure({ "--max-volume", "0" }, 2, "--max-volume is '0'; it has to be a number above 0 (mm^3)");
