@@ -376,14 +376,12 @@ TriangulationConstraint::Project(PointId p, Vector & x) const
 {
   const Home & home = m_Homes[p];
   const double reach = home.reach + (x - home.place).norm();
-  const auto   nearest = m_Cells[p].Dimension() == 2
-                           ? m_TriangleTree->FindNearest(x,
-                                                       reach,
-                                                       [&](std::uint32_t t) {
-                                                         return m_Patches[t] == home.part &&
-                                                                m_Normals[t].dot(home.direction) > LeastAlignment;
-                                                       })
-                           : m_SeamTree->FindNearest(x, reach, [&](std::uint32_t s) { return m_Curves[s] == home.part; });
+  const auto   isOwnPatch = [&](std::uint32_t t) {
+    return m_Patches[t] == home.part && m_Normals[t].dot(home.direction) > LeastAlignment;
+  };
+  const auto isOwnCurve = [&](std::uint32_t s) { return m_Curves[s] == home.part; };
+  const auto nearest = m_Cells[p].Dimension() == 2 ? m_TriangleTree->FindNearest(x, reach, isOwnPatch)
+                                                   : m_SeamTree->FindNearest(x, reach, isOwnCurve);
   if (nearest.triangle == TriangleTree::None || (nearest.point - home.place).norm() > home.reach)
   {
     return false;
