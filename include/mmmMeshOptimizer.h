@@ -18,10 +18,8 @@
 #ifndef mmmMeshOptimizer_h
 #define mmmMeshOptimizer_h
 
-#include "MultiMaterialMeshingExport.h"
-#include "mmmIndicatorSet.h"
 #include "mmmMonitor.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedralComplex.h"
 
 namespace mmm
 {
@@ -60,23 +58,14 @@ struct OptimizationReport
  * edge is flipped) where the new one stays near the zero set; faces are flipped, edges collapsed, and a flat
  * tetrahedron on an interface goes to the other side. No step changes the topology of an interface.
  *
- * `cells` gives, for the first points of `points`, the cell that each lies on; all others are free. */
-MultiMaterialMeshing_EXPORT OptimizationReport
-OptimizeMesh(const IndicatorSet &           indicators,
-             Material                       exterior,
-             const std::vector<Cell> &      cells,
-             const OptimizationParameters & parameters,
-             std::vector<Vector> &          points,
-             TetrahedralMesh &              mesh,
-             Monitor &                      monitor);
-
-/** The same, with the points of interfaces where a constraint wants them. */
+ * The constraint gives, for the first points of `points`, the cell that each lies on; all others are free. The complex
+ * has to be compact, and is again afterwards. */
 OptimizationReport
 OptimizeMesh(const InterfaceConstraint &    constraint,
              Material                       exterior,
              const OptimizationParameters & parameters,
              std::vector<Vector> &          points,
-             TetrahedralMesh &              mesh,
+             TetrahedralComplex &           complex,
              Monitor &                      monitor);
 } // namespace mmm
 

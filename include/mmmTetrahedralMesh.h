@@ -18,6 +18,7 @@
 #ifndef mmmTetrahedralMesh_h
 #define mmmTetrahedralMesh_h
 
+#include "MultiMaterialMeshingExport.h"
 #include "mmmGrid.h"
 #include "mmmMaterialImage.h"
 #include "mmmTetrahedronQuality.h"
@@ -40,6 +41,10 @@ struct TetrahedralMesh
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Material>    materials;
 };
+
+/** Drops the tetrahedra of a material; the others keep their order. */
+MultiMaterialMeshing_EXPORT void
+DropMaterial(Material material, TetrahedralMesh & mesh);
 } // namespace mmm
 
 #endif

@@ -18,23 +18,25 @@
 #ifndef mmmVolumeBalance_h
 #define mmmVolumeBalance_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mmmIndicatorSet.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedralComplex.h"
 
 namespace mmm
 {
+class InterfaceConstraint;
+
 /** \brief Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides
  * of the zero set in equal parts.
  *
- * With all corners on it, convex materials lose volume: 5 % for a ball of six voxels' radius. `cells` gives, for the
- * first points, the cell that each lies on. No tetrahedron is inverted; `exterior` ones may be part of the mesh. */
-MultiMaterialMeshing_EXPORT void
-BalanceVolumes(const IndicatorSet &      indicators,
-               Material                  exterior,
-               const std::vector<Cell> & cells,
-               const TetrahedralMesh &   mesh,
-               std::vector<Vector> &     points);
+ * With all corners on it, convex materials lose volume: 5 % for a ball of six voxels' radius. The constraint gives, for
+ * the first points, the cell that each lies on. No tetrahedron is inverted; `exterior` ones may be part of the complex,
+ * which has to be compact. */
+void
+BalanceVolumes(const IndicatorSet &        indicators,
+               const InterfaceConstraint & constraint,
+               Material                    exterior,
+               const TetrahedralComplex &  complex,
+               std::vector<Vector> &       points);
 } // namespace mmm
 
 #endif

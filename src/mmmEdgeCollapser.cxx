@@ -76,8 +76,9 @@ EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough, double fl
   }
   if (aroundU.size() == 2)
   {
-    if (u >= m_State.cells.size() || m_State.cells[u].Dimension() != 2 || v >= m_State.cells.size() ||
-        !m_State.cells[v].Includes(m_State.cells[u]) || !this->MayCollapseOnInterface(t, u, v, aroundU, floor))
+    const auto & cells = m_State.constraint.Cells();
+    if (u >= cells.size() || cells[u].Dimension() != 2 || v >= cells.size() || !cells[v].Includes(cells[u]) ||
+        !this->MayCollapseOnInterface(t, u, v, aroundU, floor))
     {
       return false;
     }

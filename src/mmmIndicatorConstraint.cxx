@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mmm
 {
@@ -27,10 +28,8 @@ namespace
 constexpr double MaximalityTolerance = 1e-2;
 } // namespace
 
-IndicatorConstraint::IndicatorConstraint(const IndicatorSet &      indicators,
-                                         Material                  exterior,
-                                         const std::vector<Cell> & cells)
-  : InterfaceConstraint(cells)
+IndicatorConstraint::IndicatorConstraint(const IndicatorSet & indicators, Material exterior, std::vector<Cell> cells)
+  : InterfaceConstraint(std::move(cells))
   , m_Indicators(indicators)
   , m_Exterior(exterior)
 {}

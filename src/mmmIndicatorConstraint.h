@@ -27,7 +27,7 @@ namespace mmm
 class IndicatorConstraint : public InterfaceConstraint
 {
 public:
-  IndicatorConstraint(const IndicatorSet & indicators, Material exterior, const std::vector<Cell> & cells);
+  IndicatorConstraint(const IndicatorSet & indicators, Material exterior, std::vector<Cell> cells);
 
   Material
   MaterialOf(Material m) const override;

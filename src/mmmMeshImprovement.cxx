@@ -38,22 +38,6 @@ TurnToPositive(const std::vector<Vector> & points, TetrahedralMesh & mesh)
 }
 
 void
-DropMaterial(Material material, TetrahedralMesh & mesh)
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-  {
-    if (mesh.materials[t] != material)
-    {
-      mesh.tetrahedra[kept] = mesh.tetrahedra[t];
-      mesh.materials[kept++] = mesh.materials[t];
-    }
-  }
-  mesh.tetrahedra.resize(kept);
-  mesh.materials.resize(kept);
-}
-
-void
 DropUnusedPoints(std::vector<Vector> & points, TetrahedralMesh & mesh)
 {
   std::vector<PointId> number(points.size(), 0);
@@ -101,7 +85,9 @@ ImproveMesh(Material                outside,
   OptimizationParameters optimization;
   optimization.rounds = parameters.rounds;
   optimization.interfaceTolerance = 1.0;
-  const auto report = OptimizeMesh(constraint, outside, optimization, points, mesh, monitor);
+  TetrahedralComplex complex(mesh, points.size());
+  const auto         report = OptimizeMesh(constraint, outside, optimization, points, complex, monitor);
+  mesh = complex.GetMesh();
   DropMaterial(outside, mesh);
   DropUnusedPoints(points, mesh);
   monitor.Report(1.0);

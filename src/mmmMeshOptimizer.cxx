@@ -19,7 +19,6 @@
 
 #include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
-#include "mmmIndicatorConstraint.h"
 #include "mmmMeshOptimizerSmoothing.h"
 #include "mmmSideChanger.h"
 #include "mmmTriangleLookup.h"
@@ -178,41 +177,26 @@ private:
 } // namespace
 
 OptimizationReport
-OptimizeMesh(const IndicatorSet &           indicators,
-             Material                       exterior,
-             const std::vector<Cell> &      cells,
-             const OptimizationParameters & parameters,
-             std::vector<Vector> &          points,
-             TetrahedralMesh &              mesh,
-             Monitor &                      monitor)
-{
-  return OptimizeMesh(IndicatorConstraint(indicators, exterior, cells), exterior, parameters, points, mesh, monitor);
-}
-
-OptimizationReport
 OptimizeMesh(const InterfaceConstraint &    constraint,
              Material                       exterior,
              const OptimizationParameters & parameters,
              std::vector<Vector> &          points,
-             TetrahedralMesh &              mesh,
+             TetrahedralComplex &           complex,
              Monitor &                      monitor)
 {
   OptimizationReport report;
   const double       flipQuality = QualityOfAngle(parameters.flipAngle);
   const double       poorQuality = QualityOfAngle(parameters.poorAngle);
-  OptimizerState     state{ constraint, exterior, constraint.Cells(),
-                        parameters, points,   TetrahedralComplex(mesh, points.size()),
-                        report };
-  mesh = TetrahedralMesh();
-  report.moves += PointSmoother(constraint, exterior, points, state.complex).SmoothAll();
+  OptimizerState     state{ constraint, exterior, parameters, points, complex, report };
+  report.moves += PointSmoother(constraint, exterior, points, complex).SmoothAll();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
     ConnectivityImprover improver(state);
     std::size_t          changes = improver.ImproveTriangles(parameters.poorTriangle);
     changes += improver.Improve(flipQuality, poorQuality);
-    state.complex.Compact();
-    PointSmoother smoother(constraint, exterior, points, state.complex);
+    complex.Compact();
+    PointSmoother smoother(constraint, exterior, points, complex);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.rounds = round + 1;
@@ -222,7 +206,6 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
       break;
     }
   }
-  mesh = state.complex.GetMesh();
   return report;
 }
 } // namespace mmm

@@ -19,6 +19,7 @@
 
 #include "mmmConformingDelaunay.h"
 #include "mmmEnclosure.h"
+#include "mmmIndicatorConstraint.h"
 #include "mmmInteriorParticles.h"
 #include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
@@ -207,22 +208,6 @@ CountInconsistentTriangles(const IndicatorSet &  indicators,
   }
   return count;
 }
-
-void
-DropMaterial(Material material, TetrahedralMesh & mesh)
-{
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-  {
-    if (mesh.materials[t] != material)
-    {
-      mesh.tetrahedra[kept] = mesh.tetrahedra[t];
-      mesh.materials[kept++] = mesh.materials[t];
-    }
-  }
-  mesh.tetrahedra.resize(kept);
-  mesh.materials.resize(kept);
-}
 } // namespace
 
 void
@@ -329,10 +314,12 @@ BuildMesh(const IndicatorSet &      indicators,
   {
     cells[p] = particles.CellOf(p);
   }
-  report.optimization =
-    OptimizeMesh(indicators, exterior, cells, parameters.optimization, result.points, result.tetrahedra, monitor);
+  const IndicatorConstraint constraint(indicators, exterior, std::move(cells));
+  TetrahedralComplex        complex(result.tetrahedra, result.points.size());
+  report.optimization = OptimizeMesh(constraint, exterior, parameters.optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
-  BalanceVolumes(indicators, exterior, cells, result.tetrahedra, result.points);
+  BalanceVolumes(indicators, constraint, exterior, complex, result.points);
+  result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);

@@ -47,10 +47,9 @@ struct OptimizerState
 
   const InterfaceConstraint &    constraint;
   const Material                 exterior;
-  const std::vector<Cell> &      cells;
   const OptimizationParameters & parameters;
   const std::vector<Vector> &    points;
-  TetrahedralComplex             complex;
+  TetrahedralComplex &           complex;
   OptimizationReport &           report;
 
   bool

@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "mmmVolumeBalance.h"
 
-#include "mmmIndicatorConstraint.h"
 #include "mmmMeshOptimizerSmoothing.h"
 #include "mmmParallel.h"
 
@@ -95,14 +94,12 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
 }
 
 void
-BalanceVolumes(const IndicatorSet &      indicators,
-               Material                  exterior,
-               const std::vector<Cell> & cells,
-               const TetrahedralMesh &   mesh,
-               std::vector<Vector> &     points)
+BalanceVolumes(const IndicatorSet &        indicators,
+               const InterfaceConstraint & constraint,
+               Material                    exterior,
+               const TetrahedralComplex &  complex,
+               std::vector<Vector> &       points)
 {
-  const IndicatorConstraint constraint(indicators, exterior, cells);
-  const TetrahedralComplex  complex(mesh, points.size());
   PointSmoother(constraint, exterior, points, complex).BalanceVolumes(indicators);
 }
 } // namespace mmm
