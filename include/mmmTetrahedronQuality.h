@@ -114,6 +114,45 @@ struct TetrahedronNormals
   double square3;
   double sixVolume;
 };
+
+inline double
+RadiusRatio(const TetrahedronNormals & n)
+{
+  // r_in = 6V / areas, and a + (x, y, z) / 12V is the circumcentre
+  const double areas = std::sqrt(n.square0) + std::sqrt(n.square1) + std::sqrt(n.square2) + std::sqrt(n.square3);
+  const double ab = Dot(n.ab, n.ab);
+  const double ac = Dot(n.ac, n.ac);
+  const double ad = Dot(n.ad, n.ad);
+  const double x = ab * n.n1.x + ac * n.n2.x + ad * n.n3.x;
+  const double y = ab * n.n1.y + ac * n.n2.y + ad * n.n3.y;
+  const double z = ab * n.n1.z + ac * n.n2.z + ad * n.n3.z;
+  const double denominator = areas * std::sqrt(x * x + y * y + z * z);
+  return denominator > 0.0 ? 6.0 * n.sixVolume * n.sixVolume / denominator : 0.0;
+}
+
+inline DihedralCosines
+Cosines(const TetrahedronNormals & n)
+{
+  DihedralCosines result;
+  result.sixVolume = n.sixVolume;
+  if (!(std::min(std::min(n.square0, n.square1), std::min(n.square2, n.square3)) > 0.0))
+  {
+    return result;
+  }
+  const double r0 = 1.0 / std::sqrt(n.square0);
+  const double r1 = 1.0 / std::sqrt(n.square1);
+  const double r2 = 1.0 / std::sqrt(n.square2);
+  const double r3 = 1.0 / std::sqrt(n.square3);
+  const double c01 = -Dot(n.n0, n.n1) * (r0 * r1);
+  const double c02 = -Dot(n.n0, n.n2) * (r0 * r2);
+  const double c03 = -Dot(n.n0, n.n3) * (r0 * r3);
+  const double c12 = -Dot(n.n1, n.n2) * (r1 * r2);
+  const double c13 = -Dot(n.n1, n.n3) * (r1 * r3);
+  const double c23 = -Dot(n.n2, n.n3) * (r2 * r3);
+  result.largest = std::min(1.0, std::max(std::max(std::max(c01, c02), std::max(c03, c12)), std::max(c13, c23)));
+  result.smallest = std::max(-1.0, std::min(std::min(std::min(c01, c02), std::min(c03, c12)), std::min(c13, c23)));
+  return result;
+}
 } // namespace detail
 
 /** Twice the inscribed circle's radius over the circumscribed one's: 1 for an equilateral triangle, 0 for a flat one.
@@ -140,17 +179,7 @@ TetrahedronVolume(const Vector & a, const Vector & b, const Vector & c, const Ve
 inline double
 TetrahedronRadiusRatio(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {
-  const detail::TetrahedronNormals n(a, b, c, d);
-  // r_in = 6V / areas, and a + (x, y, z) / 12V is the circumcentre
-  const double areas = std::sqrt(n.square0) + std::sqrt(n.square1) + std::sqrt(n.square2) + std::sqrt(n.square3);
-  const double ab = detail::Dot(n.ab, n.ab);
-  const double ac = detail::Dot(n.ac, n.ac);
-  const double ad = detail::Dot(n.ad, n.ad);
-  const double x = ab * n.n1.x + ac * n.n2.x + ad * n.n3.x;
-  const double y = ab * n.n1.y + ac * n.n2.y + ad * n.n3.y;
-  const double z = ab * n.n1.z + ac * n.n2.z + ad * n.n3.z;
-  const double denominator = areas * std::sqrt(x * x + y * y + z * z);
-  return denominator > 0.0 ? 6.0 * n.sixVolume * n.sixVolume / denominator : 0.0;
+  return detail::RadiusRatio(detail::TetrahedronNormals(a, b, c, d));
 }
 
 /** The sine of the dihedral angle that is closest to 0 or 180 degrees, negative for a negative tetrahedron, 0 for a
@@ -180,26 +209,7 @@ MinimumDihedralSine(const Vector & a, const Vector & b, const Vector & c, const 
 inline DihedralCosines
 ComputeDihedralCosines(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {
-  const detail::TetrahedronNormals n(a, b, c, d);
-  DihedralCosines                  result;
-  result.sixVolume = n.sixVolume;
-  if (!(std::min(std::min(n.square0, n.square1), std::min(n.square2, n.square3)) > 0.0))
-  {
-    return result;
-  }
-  const double r0 = 1.0 / std::sqrt(n.square0);
-  const double r1 = 1.0 / std::sqrt(n.square1);
-  const double r2 = 1.0 / std::sqrt(n.square2);
-  const double r3 = 1.0 / std::sqrt(n.square3);
-  const double c01 = -detail::Dot(n.n0, n.n1) * (r0 * r1);
-  const double c02 = -detail::Dot(n.n0, n.n2) * (r0 * r2);
-  const double c03 = -detail::Dot(n.n0, n.n3) * (r0 * r3);
-  const double c12 = -detail::Dot(n.n1, n.n2) * (r1 * r2);
-  const double c13 = -detail::Dot(n.n1, n.n3) * (r1 * r3);
-  const double c23 = -detail::Dot(n.n2, n.n3) * (r2 * r3);
-  result.largest = std::min(1.0, std::max(std::max(std::max(c01, c02), std::max(c03, c12)), std::max(c13, c23)));
-  result.smallest = std::max(-1.0, std::min(std::min(std::min(c01, c02), std::min(c03, c12)), std::min(c13, c23)));
-  return result;
+  return detail::Cosines(detail::TetrahedronNormals(a, b, c, d));
 }
 
 /** Whether the orientation is positive and all six dihedral angles lie within two bounds, given as cosines: the one of

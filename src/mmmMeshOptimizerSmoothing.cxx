@@ -395,7 +395,7 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
       continue;
     }
     const auto & t = m_Tetrahedra[*s];
-    const double q = DihedralQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
+    const double q = ShapeQuality(m_Points[t[0]], m_Points[t[1]], m_Points[t[2]], m_Points[t[3]]);
     if (q < poorest[2].first)
     {
       poorest[2] = { q, *s };

@@ -29,23 +29,27 @@
 namespace mmm
 {
 /** 1 for a regular tetrahedron, 0 for a flat one, negative for an inverted one; it falls off alike for small and large
- * dihedral angles. */
+ * dihedral angles. Among tetrahedra of equal angles, those that are poor by their radius ratio count by that. */
 inline double
-DihedralQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {
-  const DihedralCosines cosines = ComputeDihedralCosines(a, b, c, d);
-  if (!(cosines.sixVolume > 0.0))
+  constexpr double                 RadiusRatioWeight = 0.5;
+  const detail::TetrahedronNormals normals(a, b, c, d);
+  if (!(normals.sixVolume > 0.0))
   {
     return -1.0;
   }
-  return std::min((1.0 - cosines.largest) * 1.5, (1.0 + cosines.smallest) * 0.75);
+  const DihedralCosines cosines = detail::Cosines(normals);
+  return std::min({ (1.0 - cosines.largest) * 1.5,
+                    (1.0 + cosines.smallest) * 0.75,
+                    RadiusRatioWeight * detail::RadiusRatio(normals) });
 }
 
 /** The same; the exterior's tetrahedra are as good as any, unless they are inverted. */
 inline double
 MaterialQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d, bool isExterior)
 {
-  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? 2.0 : -1.0) : DihedralQuality(a, b, c, d);
+  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? 2.0 : -1.0) : ShapeQuality(a, b, c, d);
 }
 
 /** The quality of a tetrahedron whose smallest dihedral angle is this, in degrees. */

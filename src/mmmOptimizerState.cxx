@@ -39,7 +39,7 @@ double
 OptimizerState::Shape(Id t) const
 {
   const auto & c = complex.Corners(t);
-  return DihedralQuality(points[c[0]], points[c[1]], points[c[2]], points[c[3]]);
+  return ShapeQuality(points[c[0]], points[c[1]], points[c[2]], points[c[3]]);
 }
 
 double
