@@ -18,6 +18,7 @@
 #ifndef itkIndicatorImagesToMeshFilter_hxx
 #define itkIndicatorImagesToMeshFilter_hxx
 
+#include "mmmReportTranslation.h"
 #include "mmmIndicatorImages.h"
 #include "mmmInterfaceLabels.h"
 #include "mmmMeshConversion.h"
@@ -227,7 +228,8 @@ try
                                { "seeding of the interior", 0.02 },
                                { "relaxation of the interior", 0.09 },
                                { "constrained tetrahedralization", 0.08 },
-                               { "optimization", 0.41 },
+                               { "optimization", 0.39 },
+                               { "topology", 0.02 },
                                { "output", 0.01 } });
   m_Report = mmm::MeshingReport();
   monitor.BeginStage("preparation");
@@ -248,6 +250,7 @@ try
   parameters.exterior = m_ExteriorIndex;
   parameters.seed = m_Seed;
   parameters.surfaceOnly = m_SurfaceOnly;
+  parameters.compareTopology = m_CompareTopology;
   mmm::MeshingResult result;
   result.report.estimate = m_Report.estimate;
   try
@@ -312,6 +315,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticl
   const mmm::InterfaceLabels labels(m_Labels, m_ExteriorIndex, m_OutsideLabel);
   m_UsedOutsideLabel = labels.GetOutside();
   m_Report = result.report;
+  mmm::TranslateReport(geometry, labels, m_Report);
 
   // where the surface was not reached, the particles are all that there is
   const bool hasSurface = !result.points.empty();
@@ -384,6 +388,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::PrintSelf(std::ostrea
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "CompareTopology: " << (m_CompareTopology ? "On" : "Off") << std::endl;
   os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   itkPrintSelfObjectMacro(ReferenceImage);

@@ -202,6 +202,12 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
+   * region, see MeshingReport::topology. Default: false. */
+  itkSetMacro(CompareTopology, bool);
+  itkGetConstMacro(CompareTopology, bool);
+  itkBooleanMacro(CompareTopology);
+
   /** Refuse meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive,
    * before the long stages begin: Update() throws an ExceptionObject that says which smallest size would do. See
    * MeshingReport::estimate. Defaults: no limit. */
@@ -413,6 +419,7 @@ private:
   double         m_RegionMaximumSize{ Automatic };
   std::uint64_t  m_Seed{ 1 };
   bool           m_SurfaceOnly{ false };
+  bool           m_CompareTopology{ false };
   SizeValueType  m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
   double         m_MaximumMemory{ std::numeric_limits<double>::infinity() };
   bool           m_KeepIntermediates{ false };

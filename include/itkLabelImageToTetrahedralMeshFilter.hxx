@@ -615,6 +615,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const T
   filter->SetOutsideLabel(m_ExteriorLabels.empty() ? 0 : m_ExteriorLabels.front());
   filter->SetSeed(m_Seed);
   filter->SetSurfaceOnly(m_SurfaceOnly);
+  filter->SetCompareTopology(m_CompareTopology);
   filter->SetMaximumNumberOfTetrahedra(m_MaximumNumberOfTetrahedra);
   filter->SetMaximumMemory(m_MaximumMemory);
   filter->SetReferenceImage(domain);
@@ -700,6 +701,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "CompareTopology: " << (m_CompareTopology ? "On" : "Off") << std::endl;
   os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;

@@ -24,6 +24,8 @@
 #include "mmmParticles.h"
 #include "mmmInterfaceMesh.h"
 
+#include "mmmPartitionTopology.h"
+
 #include <string>
 
 namespace mmm
@@ -37,6 +39,39 @@ struct MeshingParameters
   OptimizationParameters optimization;
   /** Stop after the surface: no tetrahedra. */
   bool surfaceOnly{ false };
+  /** Compare the Betti numbers of the mesh with those of the indicators' partition. */
+  bool compareTopology{ false };
+};
+
+/** Somewhere in the mesh, and the labels that meet there. BuildMesh() gives the numbers of materials and a position in
+ * the frame of Grid; the filters give labels and a physical point. */
+struct MeshingPlace
+{
+  Vector           position;
+  std::vector<int> labels;
+};
+
+/** \brief How the materials meet around the points of interfaces, see FindLinkDefects(). */
+struct LinkReport
+{
+  /** Defects that labelling left. */
+  std::size_t edges{ 0 };
+  std::size_t points{ 0 };
+  /** Tetrahedra that were given to another material to mend them. */
+  std::size_t relabelled{ 0 };
+  /** Particles that got the cell of the materials that meet there. */
+  std::size_t updatedCells{ 0 };
+  /** What could not be mended. */
+  std::vector<MeshingPlace> left;
+};
+
+/** The Betti numbers of a label, or of a material by its number, as in MeshingPlace. */
+struct LabelTopology
+{
+  int          label;
+  BettiNumbers mesh;
+  /** Of the argmax partition of the indicators. */
+  BettiNumbers partition;
 };
 
 /** What became of the particles of one dimension. */
@@ -46,8 +81,12 @@ struct MeshingReport
   MeshEstimate                    estimate;
   std::array<std::size_t, 4>      particles{ { 0, 0, 0, 0 } };
   std::array<RelaxationReport, 4> relaxation;
-  /** Interface triangles of which a corner does not lie on a cell with both of the triangle's materials. */
-  std::size_t inconsistentTriangles{ 0 };
+  LinkReport                      links;
+  /** Interface triangles of which a corner does not lie on a cell with both of the triangle's materials: their centres.
+   */
+  std::vector<MeshingPlace> inconsistentTriangles;
+  /** Only if it was asked for. */
+  std::vector<LabelTopology> topology;
   /** Particles that no interface triangle uses; they are dropped. */
   std::size_t unusedParticles{ 0 };
   /** Points that TetGen added to the interior to recover the interfaces. */

@@ -17,12 +17,15 @@
  *=========================================================================*/
 #include "mmmMesher.h"
 
+#include "mmmCellUpdate.h"
 #include "mmmConformingDelaunay.h"
 #include "mmmEnclosure.h"
 #include "mmmIndicatorConstraint.h"
 #include "mmmInteriorParticles.h"
+#include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
+#include "mmmMeshTopology.h"
 #include "mmmParticleMerging.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
@@ -187,26 +190,81 @@ SortPoints(MeshingResult & result)
   particles = std::move(kept);
 }
 
-std::size_t
-CountInconsistentTriangles(const IndicatorSet &  indicators,
-                           const ParticleSet &   particles,
-                           const InterfaceMesh & interfaces,
-                           Material              exterior)
+/** Lists the interface triangles of which a corner is not on a cell with both of their materials, by their centres. */
+std::vector<MeshingPlace>
+FindInconsistentTriangles(const IndicatorSet &  indicators,
+                          const ParticleSet &   particles,
+                          const InterfaceMesh & interfaces,
+                          Material              exterior)
 {
   const auto lies = [&](PointId corner, Material side) {
     const Cell & cell = particles.CellOf(corner);
     return cell.Has(side) || (side == exterior &&
                               std::any_of(cell.begin(), cell.end(), [&](Material m) { return indicators.IsPlane(m); }));
   };
-  std::size_t count = 0;
+  std::vector<MeshingPlace> places;
   for (std::size_t t = 0; t < interfaces.triangles.size(); ++t)
   {
     const auto & sides = interfaces.sides[t];
     const auto & corners = interfaces.triangles[t];
-    count += !std::all_of(
-      corners.begin(), corners.end(), [&](PointId corner) { return lies(corner, sides[0]) && lies(corner, sides[1]); });
+    if (!std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
+          return lies(corner, sides[0]) && lies(corner, sides[1]);
+        }))
+    {
+      const auto & x = particles.positions;
+      places.push_back({ (x[corners[0]] + x[corners[1]] + x[corners[2]]) / 3.0, { sides[0], sides[1] } });
+    }
   }
-  return count;
+  return places;
+}
+
+/** Makes the materials around each point meet as on a cell, and tells of it. */
+void
+CheckLinks(const IndicatorSet & indicators,
+           Material             exterior,
+           TetrahedralMesh &    labelled,
+           ParticleSet &        particles,
+           LinkReport &         report)
+{
+  const auto found = FindLinkDefects(labelled, particles.Size(), exterior);
+  report.edges = found.edges.size();
+  report.points = found.points.size();
+  report.relabelled = RepairLinks(indicators, particles.positions, exterior, labelled);
+  report.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
+  const auto left = FindLinkDefects(labelled, particles.Size(), exterior);
+  const auto add = [&](const Vector & x, PointId p) {
+    const Cell & cell = particles.CellOf(p);
+    report.left.push_back({ x, std::vector<int>(cell.begin(), cell.end()) });
+  };
+  for (const PointId p : left.points)
+  {
+    add(particles.positions[p], p);
+  }
+  for (const auto & edge : left.edges)
+  {
+    add(0.5 * (particles.positions[edge[0]] + particles.positions[edge[1]]), edge[0]);
+  }
+}
+
+/** The Betti numbers of each material in the mesh, which has no exterior, and in the partition of the indicators. */
+std::vector<LabelTopology>
+CompareTopology(const IndicatorSet &        indicators,
+                const std::vector<Vector> & points,
+                const TetrahedralMesh &     mesh,
+                Material                    exterior)
+{
+  const auto                       partition = ComputePartitionTopology(indicators);
+  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
+  const auto                 topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
+  std::vector<LabelTopology> result;
+  for (std::size_t m = 0; m < partition.size(); ++m)
+  {
+    if (m != exterior)
+    {
+      result.push_back({ int(m), topology.regions[m].betti, partition[m] });
+    }
+  }
+  return result;
 }
 } // namespace
 
@@ -261,7 +319,14 @@ BuildMesh(const IndicatorSet &      indicators,
     }
     monitor.Report(double(round + 1) / (SurfaceRounds + 1));
   }
-  report.inconsistentTriangles = CountInconsistentTriangles(indicators, particles, result.interfaces, exterior);
+  CheckLinks(indicators, exterior, labelled, particles, report.links);
+  result.interfaces = ExtractInterfaces(labelled, exterior);
+  report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, result.interfaces, exterior);
+  if (parameters.surfaceOnly && parameters.compareTopology)
+  {
+    DropMaterial(exterior, labelled);
+    report.topology = CompareTopology(indicators, particles.positions, labelled, exterior);
+  }
   report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
   for (std::size_t p = 0; p < particles.Size(); ++p)
   {
@@ -321,6 +386,12 @@ BuildMesh(const IndicatorSet &      indicators,
   BalanceVolumes(indicators, constraint, exterior, complex, result.points);
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
+  if (parameters.compareTopology)
+  {
+    monitor.BeginStage("topology");
+    report.topology = CompareTopology(indicators, result.points, result.tetrahedra, exterior);
+    monitor.Report(1.0);
+  }
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);
 }

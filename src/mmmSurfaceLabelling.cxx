@@ -18,29 +18,10 @@
 #include "mmmSurfaceLabelling.h"
 
 #include "mmmParallel.h"
-
-#include <algorithm>
+#include "mmmTetrahedronSupport.h"
 
 namespace mmm
 {
-namespace
-{
-/** Indicators count at most this much, so that a thin part of a tetrahedron is heard beside a deep one. */
-constexpr double Ceiling = 1.0;
-
-/** The sum of an indicator over the tetrahedron's centre and four points halfway to its corners. */
-double
-Support(const IndicatorSet & indicators, Material m, const Vector (&samples)[5])
-{
-  double sum = 0.0;
-  for (const Vector & x : samples)
-  {
-    sum += std::min(Ceiling, std::max(-Ceiling, indicators.Value(m, x)));
-  }
-  return sum;
-}
-} // namespace
-
 std::vector<Material>
 LabelTetrahedra(const IndicatorSet &             indicators,
                 const ParticleSet &              particles,
@@ -65,26 +46,21 @@ LabelTetrahedra(const IndicatorSet &             indicators,
       Material best = candidates[0];
       if (count != 1)
       {
-        Vector samples[5];
-        samples[0] = Vector::Zero();
-        for (const auto corner : corners)
-        {
-          samples[0] += 0.25 * particles.positions[corner];
-        }
-        for (int c = 0; c < 4; ++c)
-        {
-          samples[c + 1] = 0.5 * (samples[0] + particles.positions[corners[c]]);
-        }
-        const auto nearby = indicators.Candidates(samples[0]);
-        const auto first = count > 0 ? static_cast<const Material *>(candidates) : nearby.first;
-        const auto last = count > 0 ? candidates + count : nearby.second;
-        double     largest = -1e300;
+        const TetrahedronSupport support(indicators,
+                                         particles.positions[corners[0]],
+                                         particles.positions[corners[1]],
+                                         particles.positions[corners[2]],
+                                         particles.positions[corners[3]]);
+        const auto               nearby = indicators.Candidates(support.Centre());
+        const auto               first = count > 0 ? static_cast<const Material *>(candidates) : nearby.first;
+        const auto               last = count > 0 ? candidates + count : nearby.second;
+        double                   largest = -1e300;
         for (auto m = first; m != last; ++m)
         {
-          const double support = Support(indicators, *m, samples);
-          if (support > largest)
+          const double value = support.Of(*m);
+          if (value > largest)
           {
-            largest = support;
+            largest = value;
             best = *m;
           }
         }

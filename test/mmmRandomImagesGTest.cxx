@@ -50,6 +50,10 @@ ExpectValidOrException(FilterType * filter)
   EXPECT_EQ(quality.tetrahedra.nonPositive, 0u);
   EXPECT_EQ(quality.unusedPoints, 0u);
   EXPECT_EQ(quality.overusedFaces, 0u);
+  if (filter->GetReport().links.left.empty())
+  {
+    EXPECT_EQ(quality.nonManifoldEdges, 0u);
+  }
 
   std::set<int> expected(filter->GetLabels().begin(), filter->GetLabels().end());
   expected.erase(filter->GetOutsideLabel());

@@ -100,6 +100,7 @@ Configure(MeshFilter * filter, const Settings & settings)
   filter->SetMaximumMemory(settings.maxMemory.value_or(std::numeric_limits<double>::infinity()));
   filter->SetSeed(settings.seed);
   filter->SetSurfaceOnly(settings.surfaceOnly);
+  filter->SetCompareTopology(!settings.report.empty());
   filter->SetKeepIntermediates(!settings.indicatorPrefix.empty() || !settings.sizingFile.empty());
   if (!settings.sizingImage.empty())
   {

@@ -135,11 +135,46 @@ CountSection(const Outcome & outcome)
   section["unused_particles"] = report.unusedParticles;
   section["steiner_points"] = report.steinerPoints;
   section["facet_recovery_failed"] = report.recoveryFailed;
-  section["inconsistent_triangles"] = report.inconsistentTriangles;
   section["surface_points"] = outcome.surface->GetNumberOfPoints();
   section["triangles"] = outcome.surface->GetNumberOfCells();
   section["points"] = outcome.tetrahedra->GetNumberOfPoints();
   section["tetrahedra"] = outcome.tetrahedra->GetNumberOfCells();
+  return section;
+}
+
+Json
+PlaceList(const std::vector<mmm::MeshingPlace> & places)
+{
+  constexpr std::size_t Most = 1000;
+  Json                  section = Json::array();
+  for (std::size_t p = 0; p < places.size() && p < Most; ++p)
+  {
+    section.push_back({ { "labels", places[p].labels },
+                        { "position_mm", { places[p].position[0], places[p].position[1], places[p].position[2] } } });
+  }
+  return section;
+}
+
+/** How the labels meet: around the points of interfaces, and by what they have of components, tunnels and cavities. */
+Json
+TopologySection(const mmm::MeshingReport & report)
+{
+  Json section;
+  section["link_defects_found"] = { { "edges", report.links.edges },
+                                     { "points", report.links.points },
+                                     { "tetrahedra_relabelled", report.links.relabelled } };
+  section["link_defects_left"] = report.links.left.size();
+  section["link_defects_left_at"] = PlaceList(report.links.left);
+  section["inconsistent_triangles"] = report.inconsistentTriangles.size();
+  section["inconsistent_triangles_at"] = PlaceList(report.inconsistentTriangles);
+  section["betti_numbers"] = Json::array();
+  for (const auto & topology : report.topology)
+  {
+    section["betti_numbers"].push_back({ { "label", topology.label },
+                                         { "mesh", topology.mesh },
+                                         { "indicators", topology.partition },
+                                         { "equal", topology.mesh == topology.partition } });
+  }
   return section;
 }
 
@@ -327,6 +362,7 @@ MakeReport(const Outcome & outcome)
   report["expected"] = EstimateSection(filter.GetReport().estimate);
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
+  report["topology"] = TopologySection(filter.GetReport());
   report["optimization"] = OptimizationSection(filter.GetReport().optimization);
   report["quality"] = QualitySection(outcome);
   report["stages"] = StageSection(outcome.stages);

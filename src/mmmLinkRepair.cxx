@@ -1,0 +1,394 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmLinkRepair.h"
+
+#include "mmmLinkInspector.h"
+#include "mmmParallel.h"
+#include "mmmTetrahedronNeighbours.h"
+#include "mmmTetrahedronSupport.h"
+
+#include <algorithm>
+
+namespace mmm
+{
+namespace
+{
+constexpr std::size_t PointsPerRange = 4096;
+/** Passes over what is left; most is done in the first. */
+constexpr int Passes = 5;
+
+using Neighbours = std::vector<std::array<std::uint32_t, 4>>;
+
+LinkDefects
+FindDefects(const TetrahedralMesh & mesh,
+            const Neighbours &      neighbours,
+            const Incidence &       stars,
+            std::size_t             numberOfPoints,
+            Material                outside)
+{
+  std::vector<LinkDefects> parts((numberOfPoints + PointsPerRange - 1) / PointsPerRange);
+  ParallelFor(numberOfPoints, PointsPerRange, [&](std::size_t begin, std::size_t end) {
+    LinkInspector inspector(mesh, neighbours, stars, outside);
+    LinkDefects & defects = parts[begin / PointsPerRange];
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      inspector.Inspect(PointId(p));
+      if (inspector.IsDefect())
+      {
+        defects.points.push_back(PointId(p));
+      }
+      for (const PointId q : inspector.DefectEdges())
+      {
+        if (q > p)
+        {
+          defects.edges.push_back({ { PointId(p), q } });
+        }
+      }
+    }
+  });
+  LinkDefects defects;
+  for (const auto & part : parts)
+  {
+    defects.points.insert(defects.points.end(), part.points.begin(), part.points.end());
+    defects.edges.insert(defects.edges.end(), part.edges.begin(), part.edges.end());
+  }
+  return defects;
+}
+
+class LinkRepairer
+{
+public:
+  LinkRepairer(const IndicatorSet &        indicators,
+               const std::vector<Vector> & points,
+               Material                    outside,
+               TetrahedralMesh &           mesh)
+    : m_Indicators(indicators)
+    , m_Points(points)
+    , m_Outside(outside)
+    , m_Mesh(mesh)
+    , m_Neighbours(ComputeTetrahedronNeighbours(mesh.tetrahedra))
+    , m_Stars(points.size(),
+              mesh.tetrahedra.size(),
+              [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; })
+    , m_Inspector(mesh, m_Neighbours, m_Stars, outside)
+    , m_Sizes(indicators.GetNumberOfMaterials() + 1, 0)
+  {
+    for (const Material m : mesh.materials)
+    {
+      ++m_Sizes[this->Slot(m)];
+    }
+  }
+
+  std::size_t
+  Repair()
+  {
+    std::size_t total = 0;
+    for (int pass = 0; pass < Passes; ++pass)
+    {
+      std::size_t          changed = 0;
+      const LinkDefects    defects = FindDefects(m_Mesh, m_Neighbours, m_Stars, m_Points.size(), m_Outside);
+      std::vector<PointId> points = defects.points;
+      for (const auto & edge : defects.edges)
+      {
+        points.insert(points.end(), edge.begin(), edge.end());
+      }
+      std::sort(points.begin(), points.end());
+      points.erase(std::unique(points.begin(), points.end()), points.end());
+      for (const PointId p : points)
+      {
+        changed += this->RepairAt(p, pass > 0);
+      }
+      total += changed;
+      if (changed == 0)
+      {
+        break;
+      }
+    }
+    return total;
+  }
+
+private:
+  /** Tetrahedra, and what they could be. */
+  struct Change
+  {
+    std::vector<std::uint32_t> tetrahedra;
+    Material                   material;
+  };
+
+  /** Makes the best one of the changes at a point. Returns how many tetrahedra changed. */
+  std::size_t
+  RepairAt(PointId p, bool withPairs)
+  {
+    std::vector<Change> changes;
+    this->ListChanges(p, withPairs, changes);
+    const Change * best = nullptr;
+    double         lowest = 0.0;
+    for (const Change & change : changes)
+    {
+      const double cost = this->CostOf(change);
+      if ((!best || cost < lowest) && this->Gain(change) > 0)
+      {
+        best = &change;
+        lowest = cost;
+      }
+    }
+    if (!best)
+    {
+      return 0;
+    }
+    this->Apply(*best);
+    return best->tetrahedra.size();
+  }
+
+  /** Single tetrahedra or pairs, parts of the star, sectors around edges that are defects, and the whole star. */
+  void
+  ListChanges(PointId p, bool withPairs, std::vector<Change> & changes)
+  {
+    m_Inspector.Inspect(p);
+    if (!m_Inspector.IsDefect() && m_Inspector.DefectEdges().empty())
+    {
+      return;
+    }
+    const std::vector<int>      parts(m_Inspector.Parts().begin(), m_Inspector.Parts().end() - 1);
+    const std::vector<PointId>  edges = m_Inspector.DefectEdges();
+    const std::vector<Material> materials = m_Inspector.Materials();
+    const auto * const          star = m_Stars.Begin(p);
+    std::vector<std::uint32_t>  group;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      this->AddChanges({ star[i] }, changes);
+      for (const auto other : m_Neighbours[star[i]])
+      {
+        if (withPairs && other != NoTetrahedron && other > star[i] &&
+            m_Mesh.materials[other] == m_Mesh.materials[star[i]] && std::binary_search(star, m_Stars.End(p), other))
+        {
+          this->AddChanges({ star[i], other }, changes);
+        }
+      }
+      if (parts[i] == int(i))
+      {
+        group.clear();
+        for (std::size_t j = i; j < parts.size(); ++j)
+        {
+          if (parts[j] == int(i))
+          {
+            group.push_back(star[j]);
+          }
+        }
+        this->AddChanges(group, changes);
+      }
+    }
+    for (const PointId q : edges)
+    {
+      this->AddSectors(p, q, changes);
+    }
+    for (const Material m : materials)
+    {
+      changes.push_back({ std::vector<std::uint32_t>(star, m_Stars.End(p)), m });
+    }
+  }
+
+  void
+  AddSectors(PointId p, PointId q, std::vector<Change> & changes)
+  {
+    std::vector<std::uint32_t> ring;
+    for (const auto * t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
+    {
+      const auto & corners = m_Mesh.tetrahedra[*t];
+      if (std::find(corners.begin(), corners.end(), q) != corners.end())
+      {
+        ring.push_back(*t);
+      }
+    }
+    // sectors grow from one tetrahedron by faces at the edge
+    std::vector<char> isTaken(ring.size(), 0);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      if (isTaken[i])
+      {
+        continue;
+      }
+      std::vector<std::uint32_t> sector{ ring[i] };
+      isTaken[i] = 1;
+      for (std::size_t n = 0; n < sector.size(); ++n)
+      {
+        for (const auto other : m_Neighbours[sector[n]])
+        {
+          const auto found = std::size_t(std::lower_bound(ring.begin(), ring.end(), other) - ring.begin());
+          if (found < ring.size() && ring[found] == other && !isTaken[found] &&
+              m_Mesh.materials[other] == m_Mesh.materials[ring[i]])
+          {
+            isTaken[found] = 1;
+            sector.push_back(other);
+          }
+        }
+      }
+      this->AddChanges(sector, changes);
+    }
+  }
+
+  /** To each material that the tetrahedra have a face with. */
+  void
+  AddChanges(const std::vector<std::uint32_t> & tetrahedra, std::vector<Change> & changes) const
+  {
+    const Material        own = m_Mesh.materials[tetrahedra[0]];
+    std::vector<Material> beyond;
+    for (const auto t : tetrahedra)
+    {
+      for (const auto other : m_Neighbours[t])
+      {
+        const Material m = other == NoTetrahedron ? m_Outside : m_Mesh.materials[other];
+        if (m != own && std::find(beyond.begin(), beyond.end(), m) == beyond.end())
+        {
+          beyond.push_back(m);
+        }
+      }
+    }
+    for (const Material m : beyond)
+    {
+      changes.push_back({ tetrahedra, m });
+    }
+  }
+
+  /** How much the indicators are against it. */
+  double
+  CostOf(const Change & change) const
+  {
+    double sum = 0.0;
+    for (const auto t : change.tetrahedra)
+    {
+      const auto &             c = m_Mesh.tetrahedra[t];
+      const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
+      const double volume = TetrahedronVolume(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
+      sum += volume * (this->SupportOf(support, m_Mesh.materials[t]) - this->SupportOf(support, change.material));
+    }
+    return sum;
+  }
+
+  /** What is outside of the box belongs to one of its planes. */
+  double
+  SupportOf(const TetrahedronSupport & support, Material m) const
+  {
+    if (!m_Indicators.IsPlane(m))
+    {
+      return support.Of(m);
+    }
+    double largest = -1e300;
+    for (int plane = 0; plane < 6; ++plane)
+    {
+      largest = std::max(largest, support.Of(Material(m_Indicators.GetNumberOfMaterials() + plane)));
+    }
+    return largest;
+  }
+
+  /** How many defects fewer there would be; none if a material were lost. */
+  std::ptrdiff_t
+  Gain(const Change & change)
+  {
+    std::vector<PointId> points;
+    for (const auto t : change.tetrahedra)
+    {
+      points.insert(points.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    std::vector<Material> own;
+    for (const auto t : change.tetrahedra)
+    {
+      own.push_back(m_Mesh.materials[t]);
+    }
+    const auto before = this->CountDefects(points);
+    this->Apply(change);
+    const bool isLost = std::any_of(own.begin(), own.end(), [&](Material m) { return m_Sizes[this->Slot(m)] == 0; });
+    const auto after = this->CountDefects(points);
+    for (std::size_t i = 0; i < own.size(); ++i)
+    {
+      this->SetMaterial(change.tetrahedra[i], own[i]);
+    }
+    if (isLost)
+    {
+      return 0;
+    }
+    return before - after;
+  }
+
+  /** An edge between two of the points counts twice, before and after. */
+  std::ptrdiff_t
+  CountDefects(const std::vector<PointId> & points)
+  {
+    std::ptrdiff_t count = 0;
+    for (const PointId p : points)
+    {
+      m_Inspector.Inspect(p);
+      count += std::ptrdiff_t(m_Inspector.IsDefect()) + std::ptrdiff_t(m_Inspector.DefectEdges().size());
+    }
+    return count;
+  }
+
+  void
+  Apply(const Change & change)
+  {
+    for (const auto t : change.tetrahedra)
+    {
+      this->SetMaterial(t, change.material);
+    }
+  }
+
+  void
+  SetMaterial(std::uint32_t t, Material material)
+  {
+    --m_Sizes[this->Slot(m_Mesh.materials[t])];
+    ++m_Sizes[this->Slot(material)];
+    m_Mesh.materials[t] = material;
+  }
+
+  std::size_t
+  Slot(Material m) const
+  {
+    return std::min<std::size_t>(m, m_Sizes.size() - 1);
+  }
+
+  const IndicatorSet &        m_Indicators;
+  const std::vector<Vector> & m_Points;
+  const Material              m_Outside;
+  TetrahedralMesh &           m_Mesh;
+  const Neighbours            m_Neighbours;
+  const Incidence             m_Stars;
+  LinkInspector               m_Inspector;
+  /** The number of tetrahedra of each material. */
+  std::vector<std::size_t> m_Sizes;
+};
+} // namespace
+
+LinkDefects
+FindLinkDefects(const TetrahedralMesh & mesh, std::size_t numberOfPoints, Material outside)
+{
+  const Incidence stars(
+    numberOfPoints, mesh.tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; });
+  return FindDefects(mesh, ComputeTetrahedronNeighbours(mesh.tetrahedra), stars, numberOfPoints, outside);
+}
+
+std::size_t
+RepairLinks(const IndicatorSet &        indicators,
+            const std::vector<Vector> & points,
+            Material                    outside,
+            TetrahedralMesh &           mesh)
+{
+  return LinkRepairer(indicators, points, outside, mesh).Repair();
+}
+} // namespace mmm
