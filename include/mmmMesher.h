@@ -19,10 +19,11 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmJunctions.h"
 #include "mmmMeshEstimate.h"
 #include "mmmMeshOptimizer.h"
-#include "mmmParticles.h"
 #include "mmmInterfaceMesh.h"
+#include "mmmParticles.h"
 
 #include <string>
 
@@ -67,7 +68,9 @@ struct MeshingResult
   std::size_t numberOfSurfacePoints{ 0 };
   /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved
    * surfaces have left their cell a little for the sake of the volumes. */
-  ParticleSet   particles;
+  ParticleSet particles;
+  /** Where three and more materials meet, and the edges and corners of cuts. */
+  Junctions     junctions;
   MeshingReport report;
 };
 

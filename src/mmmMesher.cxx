@@ -208,6 +208,14 @@ CountInconsistentTriangles(const IndicatorSet &  indicators,
   }
   return count;
 }
+
+/** What else there is to say of the surface once it is final. */
+void
+DescribeSurface(const IndicatorSet & indicators, Material exterior, MeshingResult & result)
+{
+  result.junctions = ExtractJunctions(
+    result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
+}
 } // namespace
 
 void
@@ -272,6 +280,7 @@ BuildMesh(const IndicatorSet &      indicators,
   monitor.Report(1.0);
   if (parameters.surfaceOnly)
   {
+    DescribeSurface(indicators, exterior, result);
     return;
   }
 
@@ -323,5 +332,6 @@ BuildMesh(const IndicatorSet &      indicators,
   DropMaterial(exterior, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);
+  DescribeSurface(indicators, exterior, result);
 }
 } // namespace mmm
