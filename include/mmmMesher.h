@@ -24,6 +24,7 @@
 #include "mmmMeshOptimizer.h"
 #include "mmmInterfaceMesh.h"
 #include "mmmParticles.h"
+#include "mmmSampling.h"
 
 #include <string>
 
@@ -56,6 +57,8 @@ struct MeshingReport
   /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
   bool               recoveryFailed{ false };
   OptimizationReport optimization;
+  /** Of the final surface; for the sizes, those around parts that needed finer ones included. */
+  SamplingReport sampling;
 };
 
 /** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */

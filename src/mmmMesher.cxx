@@ -211,10 +211,11 @@ CountInconsistentTriangles(const IndicatorSet &  indicators,
 
 /** What else there is to say of the surface once it is final. */
 void
-DescribeSurface(const IndicatorSet & indicators, Material exterior, MeshingResult & result)
+DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Material exterior, MeshingResult & result)
 {
   result.junctions = ExtractJunctions(
     result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
+  result.report.sampling = MeasureSampling(indicators, sizing, result.interfaces, result.points, result.particles);
 }
 } // namespace
 
@@ -280,7 +281,7 @@ BuildMesh(const IndicatorSet &      indicators,
   monitor.Report(1.0);
   if (parameters.surfaceOnly)
   {
-    DescribeSurface(indicators, exterior, result);
+    DescribeSurface(indicators, sizing, exterior, result);
     return;
   }
 
@@ -332,6 +333,6 @@ BuildMesh(const IndicatorSet &      indicators,
   DropMaterial(exterior, result.tetrahedra);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   SortPoints(result);
-  DescribeSurface(indicators, exterior, result);
+  DescribeSurface(indicators, sizing, exterior, result);
 }
 } // namespace mmm
