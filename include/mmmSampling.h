@@ -27,11 +27,16 @@
 
 namespace mmm
 {
-/** All are 0 without values. */
+/** Distances of particles to their cells, in units of the smallest voxel spacing; all are 0 without particles. */
 struct ResidualReport
 {
+  /** A particle that is further away than this has left its cell. */
+  static constexpr double Largest = 0.01;
+
   double maximum{ 0.0 };
   double percentile99{ 0.0 };
+  /** The share of the particles that have left their cell, or whose cell is not found within a voxel. */
+  double leftShare{ 0.0 };
 };
 
 struct SamplingReport
@@ -46,8 +51,7 @@ struct SamplingReport
   double percentile99Spacing{ 0.0 };
   /** The share of edges whose spacing is near 1. */
   double nearShare{ 0.0 };
-  /** Distances of the particles of 1- and 2-cells (by number, [0] is unused) to their cell, in units of the smallest
-   * voxel spacing. */
+  /** Of the particles on 1- and 2-cells; [0] is unused. */
   std::array<ResidualReport, 3> residuals;
 };
 

@@ -28,7 +28,7 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 1024;
-/** Particles are further from their cell than this nowhere. */
+/** How far to look for a particle's cell; where it is not found, the particle counts as so far away. */
 constexpr double Reach = 1.0;
 
 /** The value that this share of the others is below; reorders them. There has to be one. */
@@ -79,6 +79,8 @@ MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles,
   {
     report.maximum = *std::max_element(distances.begin(), distances.end());
     report.percentile99 = Quantile(distances, 0.99);
+    const auto hasLeft = [](float distance) { return distance > ResidualReport::Largest; };
+    report.leftShare = double(std::count_if(distances.begin(), distances.end(), hasLeft)) / double(distances.size());
   }
   return report;
 }

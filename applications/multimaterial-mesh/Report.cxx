@@ -183,7 +183,8 @@ SamplingSection(const mmm::SamplingReport & sampling)
     const mmm::ResidualReport & residual = sampling.residuals[dimension];
     section["residuals_in_voxels"].push_back({ { "cell_dimension", dimension },
                                                { "maximum", Number(residual.maximum) },
-                                               { "last_percentile", Number(residual.percentile99) } });
+                                               { "last_percentile", Number(residual.percentile99) },
+                                               { "share_above_0.01", Number(residual.leftShare) } });
   }
   return section;
 }
