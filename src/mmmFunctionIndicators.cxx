@@ -189,12 +189,7 @@ FunctionIndicators::IsThin(const Index & at) const
 std::size_t
 FunctionIndicators::VoxelAt(const Index & at) const
 {
-  Index inside;
-  for (int a = 0; a < 3; ++a)
-  {
-    inside[a] = std::min(std::max(at[a], 0), m_Image.grid.size[a] - 1);
-  }
-  return m_Image.grid.Offset(inside);
+  return m_Image.grid.Offset(m_Image.grid.Clamp(at));
 }
 
 Block<float>

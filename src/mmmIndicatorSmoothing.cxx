@@ -70,12 +70,7 @@ BandValues(const LevelSet & levelSet)
 bool
 IsThin(const MaterialImage & image, const Index & at)
 {
-  const auto materialAt = [&](int i, int j, int k) {
-    const Index clamped{ { std::min(std::max(i, 0), image.grid.size[0] - 1),
-                           std::min(std::max(j, 0), image.grid.size[1] - 1),
-                           std::min(std::max(k, 0), image.grid.size[2] - 1) } };
-    return image.materials[image.grid.Offset(clamped)];
-  };
+  const auto     materialAt = [&](int i, int j, int k) { return image.AtNearest(Index{ { i, j, k } }); };
   const Material own = materialAt(at[0], at[1], at[2]);
   for (int block = 0; block < 8; ++block)
   {
