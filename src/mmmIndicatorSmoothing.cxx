@@ -33,9 +33,6 @@ constexpr int BorderContinuation = 3;
 /** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
  * than half a voxel lets it yield: by how much the radius is larger. */
 constexpr float CentreMargin = 0.1f;
-/** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh.
- */
-constexpr float ThinCentreMargin = 0.2f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
@@ -64,28 +61,6 @@ BandValues(const LevelSet & levelSet)
     values.push_back(levelSet.Values()[n]);
   }
   return values;
-}
-
-/** Whether a voxel belongs to no 2 x 2 x 2 block of its material. */
-bool
-IsThin(const MaterialImage & image, const Index & at)
-{
-  const auto     materialAt = [&](int i, int j, int k) { return image.AtNearest(Index{ { i, j, k } }); };
-  const Material own = materialAt(at[0], at[1], at[2]);
-  for (int block = 0; block < 8; ++block)
-  {
-    const Index low{ { at[0] - (block & 1), at[1] - ((block >> 1) & 1), at[2] - (block >> 2) } };
-    bool        whole = true;
-    for (int corner = 0; corner < 8 && whole; ++corner)
-    {
-      whole = materialAt(low[0] + (corner & 1), low[1] + ((corner >> 1) & 1), low[2] + (corner >> 2)) == own;
-    }
-    if (whole)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 /** How far the interface has to stay from the centre of each of the band's voxels. */
@@ -162,6 +137,26 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
   levelSet.FlowByMeanCurvature(opening, closing, TighteningTolerance, TighteningSteps);
 }
 } // namespace
+
+bool
+IsThin(const MaterialImage & image, const Index & at)
+{
+  const Material own = image.AtNearest(at);
+  for (int block = 0; block < 8; ++block)
+  {
+    bool isWhole = true;
+    for (int corner = 0; corner < 8 && isWhole; ++corner)
+    {
+      const auto along = [&](int a) { return at[a] - ((block >> a) & 1) + ((corner >> a) & 1); };
+      isWhole = image.AtNearest(Index{ { along(0), along(1), along(2) } }) == own;
+    }
+    if (isWhole)
+    {
+      return false;
+    }
+  }
+  return true;
+}
 
 std::vector<MaterialBox>
 ComputeMaterialBoxes(const MaterialImage & image)
