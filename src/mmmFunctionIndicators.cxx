@@ -202,19 +202,6 @@ FunctionIndicators::Compute(Material material, const MaterialBox & box) const
   levelSet.Redistance(LevelSet::Before::AnyFunction);
   moveToInterface();
 
-  Block<float> indicator;
-  indicator.lower = covered.lower;
-  indicator.size = covered.size;
-  indicator.values.reserve(std::size_t(covered.size[0]) * covered.size[1] * covered.size[2]);
-  for (int k = 0; k < covered.size[2]; ++k)
-  {
-    for (int j = 0; j < covered.size[1]; ++j)
-    {
-      const auto row = levelSet.Values().begin() +
-                       levelSet.Offset(Index{ { covered.lower[0], covered.lower[1] + j, covered.lower[2] + k } });
-      indicator.values.insert(indicator.values.end(), row, row + covered.size[0]);
-    }
-  }
-  return indicator;
+  return levelSet.Copy(covered.lower, covered.size);
 }
 } // namespace mmm

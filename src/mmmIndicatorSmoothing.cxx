@@ -213,10 +213,6 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   const Grid & grid = image.grid;
   Index        lower;
   Index        size;
-  Block<float> indicator;
-  const auto   covered = ComputeIndicatorBox(grid, box);
-  indicator.lower = covered.lower;
-  indicator.size = covered.size;
   for (int a = 0; a < 3; ++a)
   {
     const int band = BandNodes(grid, a);
@@ -240,16 +236,7 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
     levelSet.Redistance(LevelSet::Before::NearDistances);
   }
 
-  indicator.values.resize(std::size_t(indicator.size[0]) * indicator.size[1] * indicator.size[2]);
-  auto out = indicator.values.begin();
-  for (int k = 0; k < indicator.size[2]; ++k)
-  {
-    for (int j = 0; j < indicator.size[1]; ++j, out += indicator.size[0])
-    {
-      const auto row = levelSet.Offset(Index{ { indicator.lower[0], indicator.lower[1] + j, indicator.lower[2] + k } });
-      std::copy_n(levelSet.Values().begin() + row, indicator.size[0], out);
-    }
-  }
-  return indicator;
+  const auto covered = ComputeIndicatorBox(grid, box);
+  return levelSet.Copy(covered.lower, covered.size);
 }
 } // namespace mmm
