@@ -178,10 +178,6 @@ MeshEstimator::MeshEstimator(const IndicatorSet & indicators,
     const auto binOf = [&](double size, std::uint8_t thickness) -> Bin & {
       return bins[SizeBin(size) * ThicknessBins + thickness];
     };
-    const auto addArea = [&](double size, std::uint8_t thickness, double area) {
-      Bin & bin = binOf(size, thickness);
-      bin.area += area;
-    };
     for (int k = int(begin); k < int(end); ++k)
     {
       for (int j = 0; j < grid.size[1]; ++j)
@@ -204,12 +200,13 @@ MeshEstimator::MeshEstimator(const IndicatorSet & indicators,
             if (isMeshed && (at[a] == 0 || after[a] == grid.size[a]))
             {
               // the box cuts along voxel faces
-              addArea(sizes[n], thicknesses[n], face);
+              binOf(sizes[n], thicknesses[n]).area += face;
             }
             const std::size_t other = after[a] < grid.size[a] ? grid.Offset(after) : n;
             if (indicators.MaterialAtNode(other) != own)
             {
-              addArea(0.5 * (sizes[n] + sizes[other]), std::min(thicknesses[n], thicknesses[other]), face / FaceArea);
+              binOf(0.5 * (sizes[n] + sizes[other]), std::min(thicknesses[n], thicknesses[other])).area +=
+                face / FaceArea;
             }
           }
         }
