@@ -123,7 +123,8 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Stop after the surface. Default: false. */
+  /** Leave out the interior: GetOutput() remains empty, and the surface, whose triangles are a little poorer, takes
+   * about half the time. Default: false. */
   itkSetMacro(SurfaceOnly, bool);
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);

@@ -37,7 +37,7 @@ struct MeshingParameters
   std::uint64_t          seed{ 1 };
   RelaxationParameters   relaxation;
   OptimizationParameters optimization;
-  /** Stop after the surface: no tetrahedra. */
+  /** Leave only the surface: no particles of the interior, no tetrahedra in the end. */
   bool surfaceOnly{ false };
 };
 
@@ -57,7 +57,7 @@ struct MeshingReport
   /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
   bool               recoveryFailed{ false };
   OptimizationReport optimization;
-  /** Of the final surface; for the sizes, those around parts that needed finer ones included. */
+  /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
 };
 

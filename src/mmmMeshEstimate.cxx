@@ -54,7 +54,7 @@ constexpr double TetrahedraPerVolume = 5.25;
 constexpr double PointsPerTetrahedron = 0.17;
 constexpr double PointsPerTriangle = 0.05;
 constexpr double BytesPerTetrahedron = 680.0;
-constexpr double BytesPerTriangle = 320.0; // without tetrahedra
+constexpr double BytesPerTriangle = 2400.0; // where only the surface is wanted
 constexpr double Gigabyte = 1024.0 * 1024.0 * 1024.0;
 
 /** Planes of the grid that are summed up together: their number is no matter of threads. */

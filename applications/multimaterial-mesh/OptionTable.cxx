@@ -188,7 +188,7 @@ MakeTable()
       "",
       AnyValue,
       "",
-      "Make no tetrahedra; OUTPUT is the surface." },
+      "Leave out the interior; OUTPUT is the surface." },
     { "msh-format",
       &Settings::mshFormat,
       Kind::Choice,
