@@ -22,6 +22,7 @@
 #include "mmmFilterMonitor.h"
 #include "mmmGridGeometry.h"
 #include "mmmITKCompatibility.h"
+#include "mmmInterfaceLabels.h"
 #include "mmmMesher.h"
 
 #include "itkConceptChecking.h"
@@ -54,6 +55,9 @@ namespace itk
  *   points from the first to the second.
  * - 2, GetParticles(): the points of the surface, with the dimension of the cell that each lies on and the labels that
  *   meet there as point data.
+ * - 3, GetJunctions(): lines and vertices, the curves and points of the surface where three and more labels meet, with
+ *   these labels as cell data. The faces of the image's box count as well, so that the edges and corners of cuts are
+ *   among them; their label is that of the outside.
  *
  * Points of the surface are the first ones of the tetrahedra, in the same order. The image's box cuts the materials
  * flat, with sharp edges; what is beyond counts as outside, like the exterior material.
@@ -88,6 +92,7 @@ public:
   using OutputMeshType = TOutputMesh;
   using SurfaceMeshType = LabelInterfaceMesh;
   using ParticleMeshType = LabelParticleMesh;
+  using JunctionMeshType = LabelJunctionMesh;
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
   using StageRecordsType = std::vector<mmm::StageRecord>;
@@ -118,7 +123,8 @@ public:
   itkSetMacro(Seed, std::uint64_t);
   itkGetConstMacro(Seed, std::uint64_t);
 
-  /** Stop after the surface. Default: false. */
+  /** Leave out the interior: GetOutput() remains empty, and the surface, whose triangles are a little poorer, takes
+   * about half the time. Default: false. */
   itkSetMacro(SurfaceOnly, bool);
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
@@ -152,6 +158,8 @@ public:
   GetSurface();
   ParticleMeshType *
   GetParticles();
+  JunctionMeshType *
+  GetJunctions();
 
   /** The label that the outside has in the outputs, known after Update(). */
   itkGetConstMacro(UsedOutsideLabel, LabelType);
@@ -178,7 +186,7 @@ public:
     return m_StageLog.progress;
   }
 
-  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(). */
+  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(), 3 is GetJunctions(). */
   using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
   using Superclass::MakeOutput;
   DataObject::Pointer
@@ -216,6 +224,11 @@ private:
 
   void
   FillSurfaceAndParticles(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
+
+  void
+  FillJunctions(const mmm::MeshingResult &   result,
+                const mmm::GridGeometry &    geometry,
+                const mmm::InterfaceLabels & labels);
 
   void
   FillTetrahedra(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);

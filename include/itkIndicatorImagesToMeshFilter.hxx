@@ -20,17 +20,19 @@
 
 #include "mmmReportTranslation.h"
 #include "mmmIndicatorImages.h"
-#include "mmmInterfaceLabels.h"
 #include "mmmMeshConversion.h"
 #include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
+#include "itkLineCell.h"
 #include "itkPrintHelper.h"
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
+#include "itkVertexCell.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <new>
 #include <sstream>
 #include <string>
@@ -41,8 +43,8 @@ template <typename TIndicatorImage, typename TOutputMesh>
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::IndicatorImagesToMeshFilter()
 {
   this->AddRequiredInputName("SizingImage");
-  this->SetNumberOfRequiredOutputs(3);
-  for (DataObjectPointerArraySizeType n = 0; n < 3; ++n)
+  this->SetNumberOfRequiredOutputs(4);
+  for (DataObjectPointerArraySizeType n = 0; n < 4; ++n)
   {
     this->SetNthOutput(n, Self::MakeOutput(n));
   }
@@ -58,6 +60,8 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::MakeOutput(DataObject
       return SurfaceMeshType::New().GetPointer();
     case 2:
       return ParticleMeshType::New().GetPointer();
+    case 3:
+      return JunctionMeshType::New().GetPointer();
     default:
       return Superclass::MakeOutput(index);
   }
@@ -75,6 +79,13 @@ auto
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GetParticles() -> ParticleMeshType *
 {
   return dynamic_cast<ParticleMeshType *>(this->ProcessObject::GetOutput(2));
+}
+
+template <typename TIndicatorImage, typename TOutputMesh>
+auto
+IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GetJunctions() -> JunctionMeshType *
+{
+  return dynamic_cast<JunctionMeshType *>(this->ProcessObject::GetOutput(3));
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
@@ -352,6 +363,60 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillSurfaceAndParticl
   }
   particles->SetPointData(data);
   particles->SetBufferedRegion(particles->GetRequestedRegion());
+
+  this->FillJunctions(result, geometry, labels);
+}
+
+template <typename TIndicatorImage, typename TOutputMesh>
+void
+IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::FillJunctions(const mmm::MeshingResult &   result,
+                                                                         const mmm::GridGeometry &    geometry,
+                                                                         const mmm::InterfaceLabels & labels)
+{
+  JunctionMeshType * mesh = this->GetJunctions();
+  const auto         cells = JunctionMeshType::CellsContainer::New();
+
+  std::vector<mmm::Vector>                     points;
+  std::vector<JunctionMeshType::CellPixelType> data;
+  std::map<mmm::PointId, std::size_t>          places;
+  const auto                                   placeOf = [&](mmm::PointId point) {
+    const auto inserted = places.emplace(point, points.size());
+    if (inserted.second)
+    {
+      points.push_back(result.points[point]);
+    }
+    return inserted.first->second;
+  };
+  const auto append = [&](auto * cell, int curve, const mmm::MaterialList & materials) {
+    cells->InsertElement(cells->Size(), cell);
+    const auto                      values = labels.OfJunction(materials);
+    JunctionMeshType::CellPixelType pixel;
+    pixel[0] = curve;
+    std::copy(values.begin(), values.end(), &pixel[1]);
+    data.push_back(pixel);
+  };
+  for (const auto & junction : result.junctions.points)
+  {
+    auto * vertex = new VertexCell<JunctionMeshType::CellType>;
+    vertex->SetPointId(0, placeOf(junction.point));
+    append(vertex, -1, junction.materials);
+  }
+  for (std::size_t c = 0; c < result.junctions.curves.size(); ++c)
+  {
+    const auto & curve = result.junctions.curves[c];
+    for (std::size_t p = 1; p < curve.points.size(); ++p)
+    {
+      auto * line = new LineCell<JunctionMeshType::CellType>;
+      line->SetPointId(0, placeOf(curve.points[p - 1]));
+      line->SetPointId(1, placeOf(curve.points[p]));
+      append(line, static_cast<int>(c), curve.materials);
+    }
+  }
+  mmm::SetMeshPoints(mesh, geometry, points, points.size());
+  mesh->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+  mesh->SetCells(cells);
+  mmm::SetMeshCellData(mesh, std::move(data));
+  mesh->SetBufferedRegion(mesh->GetRequestedRegion());
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

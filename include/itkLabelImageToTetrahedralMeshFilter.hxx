@@ -42,8 +42,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::LabelImageToTetrahe
 {
   this->AddOptionalInputName("SizingImage");
   this->AddOptionalInputName("RegionOfInterest");
-  this->SetNumberOfRequiredOutputs(3);
-  for (DataObjectPointerArraySizeType n = 0; n < 3; ++n)
+  this->SetNumberOfRequiredOutputs(4);
+  for (DataObjectPointerArraySizeType n = 0; n < 4; ++n)
   {
     this->SetNthOutput(n, Self::MakeOutput(n));
   }
@@ -59,6 +59,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeOutput(DataObje
       return SurfaceMeshType::New().GetPointer();
     case 2:
       return ParticleMeshType::New().GetPointer();
+    case 3:
+      return JunctionMeshType::New().GetPointer();
     default:
       return Superclass::MakeOutput(index);
   }
@@ -76,6 +78,13 @@ auto
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetParticles() -> ParticleMeshType *
 {
   return dynamic_cast<ParticleMeshType *>(this->ProcessObject::GetOutput(2));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetJunctions() -> JunctionMeshType *
+{
+  return dynamic_cast<JunctionMeshType *>(this->ProcessObject::GetOutput(3));
 }
 
 template <typename TLabelImage, typename TOutputMesh>
@@ -646,6 +655,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::TakeOutputs(MeshFil
   this->GraftNthOutput(0, filter->GetOutput());
   this->GraftNthOutput(1, filter->GetSurface());
   this->GraftNthOutput(2, filter->GetParticles());
+  this->GraftNthOutput(3, filter->GetJunctions());
   m_OutsideLabel = filter->GetUsedOutsideLabel();
   m_Report = filter->GetReport();
 }

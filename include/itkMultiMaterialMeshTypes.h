@@ -35,6 +35,11 @@ using LabelInterfaceMesh = Mesh<FixedArray<int, 2>, 3, DefaultStaticMeshTraits<F
  * labels meet, 1 where three do, 2 on the surface between two) and the labels that meet there, sorted, the last one
  * repeated to fill the four places. */
 using LabelParticleMesh = Mesh<FixedArray<int, 5>, 3, DefaultStaticMeshTraits<FixedArray<int, 5>, 3, 3, double>>;
+
+/** Curves and points where labels meet: lines and vertices. The lines of a curve follow each other, each from the end
+ * of the one before. The cell data is the number of the curve, or -1 for a point; how many labels meet; and the first
+ * four of them, sorted, the last one repeated to fill the four places. */
+using LabelJunctionMesh = Mesh<FixedArray<int, 6>, 3, DefaultStaticMeshTraits<FixedArray<int, 6>, 3, 3, double>>;
 } // namespace itk
 
 #endif

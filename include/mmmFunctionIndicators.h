@@ -56,9 +56,6 @@ private:
    */
   float
   DistanceToNeighbours(Material material, const Index & at) const;
-  /** Whether a voxel belongs to no 2 x 2 x 2 block of its material. */
-  bool
-  IsThin(const Index & at) const;
   /** The border's voxels are continued beyond it. */
   std::size_t
   VoxelAt(const Index & at) const;

@@ -21,6 +21,7 @@
 #include "itk_eigen.h"
 #include ITK_EIGEN(Dense)
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -76,6 +77,17 @@ struct Grid
       }
     }
     return true;
+  }
+  /** The node of the grid that is nearest to one that may be outside. */
+  Index
+  Clamp(const Index & index) const
+  {
+    Index inside;
+    for (int a = 0; a < 3; ++a)
+    {
+      inside[a] = std::min(std::max(index[a], 0), size[a] - 1);
+    }
+    return inside;
   }
   Vector
   Position(const Index & index) const

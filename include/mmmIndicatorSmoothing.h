@@ -27,6 +27,14 @@ namespace mmm
 /** Indicators are known up to this distance from their zero level, in units of the smallest voxel spacing. */
 constexpr double IndicatorBandWidth = 3.0;
 
+/** Interfaces of parts of one voxel's thickness stay this far from the voxels' centres: what is thinner cannot be
+ * meshed everywhere. */
+constexpr float ThinCentreMargin = 0.2f;
+
+/** Whether a voxel belongs to no 2 x 2 x 2 block of its material. Labels are continued beyond the border. */
+MultiMaterialMeshing_EXPORT bool
+IsThin(const MaterialImage & image, const Index & at);
+
 /** The smallest box of grid nodes that holds a material; size 0 where the image has none of it. */
 struct MaterialBox
 {

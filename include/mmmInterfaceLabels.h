@@ -19,6 +19,7 @@
 #define mmmInterfaceLabels_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmJunctions.h"
 #include "mmmParticles.h"
 #include "mmmTetrahedralMesh.h"
 
@@ -56,7 +57,16 @@ public:
   std::array<int, 5>
   OfParticle(const Cell & cell) const;
 
+  /** The number of labels that meet at a junction and the first four of them, sorted, the last one repeated to fill. */
+  std::array<int, 5>
+  OfJunction(const MaterialList & materials) const;
+
 private:
+  /** Sorted, each once. */
+  template <typename TMaterials>
+  std::vector<int>
+  OfMaterials(const TMaterials & materials) const;
+
   std::vector<int> m_Labels;
   int              m_Outside;
 };

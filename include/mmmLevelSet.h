@@ -74,6 +74,10 @@ public:
     return m_Values;
   }
 
+  /** The values in a box of grid nodes, which has to be within the block. */
+  Block<float>
+  Copy(const Index & lower, const Index & size) const;
+
   /** The nodes that are solved for: those with |value| below `distance`. */
   void
   SelectBand(double distance);

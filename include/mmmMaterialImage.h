@@ -37,10 +37,9 @@ struct MaterialImage
 
   /** Labels are continued beyond the border: the voxel nearest to a node outside the image stands for it. */
   Material
-  AtNearest(int i, int j, int k) const
+  AtNearest(const Index & at) const
   {
-    const auto clamp = [](int v, int n) { return v < 0 ? 0 : (v >= n ? n - 1 : v); };
-    return materials[grid.Offset(clamp(i, grid.size[0]), clamp(j, grid.size[1]), clamp(k, grid.size[2]))];
+    return materials[grid.Offset(grid.Clamp(at))];
   }
 };
 } // namespace mmm

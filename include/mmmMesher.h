@@ -19,10 +19,12 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmJunctions.h"
 #include "mmmMeshEstimate.h"
 #include "mmmMeshOptimizer.h"
-#include "mmmParticles.h"
 #include "mmmInterfaceMesh.h"
+#include "mmmParticles.h"
+#include "mmmSampling.h"
 
 #include "mmmPartitionTopology.h"
 
@@ -37,7 +39,7 @@ struct MeshingParameters
   std::uint64_t          seed{ 1 };
   RelaxationParameters   relaxation;
   OptimizationParameters optimization;
-  /** Stop after the surface: no tetrahedra. */
+  /** Leave only the surface: no particles of the interior, no tetrahedra in the end. */
   bool surfaceOnly{ false };
   /** Compare the Betti numbers of the mesh with those of the indicators' partition. */
   bool compareTopology{ false };
@@ -94,6 +96,8 @@ struct MeshingReport
   /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
   bool               recoveryFailed{ false };
   OptimizationReport optimization;
+  /** Of the final surface, against the sizes that were asked for. */
+  SamplingReport sampling;
 };
 
 /** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */
@@ -106,7 +110,9 @@ struct MeshingResult
   std::size_t numberOfSurfacePoints{ 0 };
   /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved
    * surfaces have left their cell a little for the sake of the volumes. */
-  ParticleSet   particles;
+  ParticleSet particles;
+  /** Where three and more materials meet, and the edges and corners of cuts. */
+  Junctions     junctions;
   MeshingReport report;
 };
 

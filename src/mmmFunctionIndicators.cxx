@@ -39,8 +39,6 @@ constexpr int BorderContinuation = 2;
 constexpr float LeastLead = 1e-6f;
 /** The least distance of a voxel's centre to an interface, per voxel. */
 constexpr double ShortestWay = 1e-3;
-/** Interfaces of parts of one voxel's thickness stay this far from the centres: what is thinner is lost in places. */
-constexpr float ThinMargin = 0.2f;
 } // namespace
 
 std::vector<float>
@@ -126,14 +124,14 @@ FunctionIndicators::DistanceToNeighbours(Material material, const Index & at) co
   const Material own = m_Image.materials[voxel];
   double         inverseSquares = 0.0;
   const auto     isAtThinPart = [&] {
-    bool found = this->IsThin(at);
+    bool found = IsThin(m_Image, at);
     for (int a = 0; a < 3; ++a)
     {
       for (const int step : { -1, 1 })
       {
         Index beside = at;
         beside[a] += step;
-        found = found || (m_Image.materials[this->VoxelAt(beside)] != own && this->IsThin(beside));
+        found = found || (m_Image.materials[this->VoxelAt(beside)] != own && IsThin(m_Image, beside));
       }
     }
     return found;
@@ -163,38 +161,13 @@ FunctionIndicators::DistanceToNeighbours(Material material, const Index & at) co
     return 0.0f;
   }
   const float distance = float(1.0 / std::sqrt(inverseSquares));
-  return distance < ThinMargin && isAtThinPart() ? ThinMargin : distance;
-}
-
-bool
-FunctionIndicators::IsThin(const Index & at) const
-{
-  const Material own = m_Image.materials[this->VoxelAt(at)];
-  for (int block = 0; block < 8; ++block)
-  {
-    bool isWhole = true;
-    for (int corner = 0; corner < 8 && isWhole; ++corner)
-    {
-      const auto along = [&](int a) { return at[a] - ((block >> a) & 1) + ((corner >> a) & 1); };
-      isWhole = m_Image.materials[this->VoxelAt(Index{ { along(0), along(1), along(2) } })] == own;
-    }
-    if (isWhole)
-    {
-      return false;
-    }
-  }
-  return true;
+  return distance < ThinCentreMargin && isAtThinPart() ? ThinCentreMargin : distance;
 }
 
 std::size_t
 FunctionIndicators::VoxelAt(const Index & at) const
 {
-  Index inside;
-  for (int a = 0; a < 3; ++a)
-  {
-    inside[a] = std::min(std::max(at[a], 0), m_Image.grid.size[a] - 1);
-  }
-  return m_Image.grid.Offset(inside);
+  return m_Image.grid.Offset(m_Image.grid.Clamp(at));
 }
 
 Block<float>
@@ -229,19 +202,6 @@ FunctionIndicators::Compute(Material material, const MaterialBox & box) const
   levelSet.Redistance(LevelSet::Before::AnyFunction);
   moveToInterface();
 
-  Block<float> indicator;
-  indicator.lower = covered.lower;
-  indicator.size = covered.size;
-  indicator.values.reserve(std::size_t(covered.size[0]) * covered.size[1] * covered.size[2]);
-  for (int k = 0; k < covered.size[2]; ++k)
-  {
-    for (int j = 0; j < covered.size[1]; ++j)
-    {
-      const auto row = levelSet.Values().begin() +
-                       levelSet.Offset(Index{ { covered.lower[0], covered.lower[1] + j, covered.lower[2] + k } });
-      indicator.values.insert(indicator.values.end(), row, row + covered.size[0]);
-    }
-  }
-  return indicator;
+  return levelSet.Copy(covered.lower, covered.size);
 }
 } // namespace mmm

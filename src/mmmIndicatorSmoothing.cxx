@@ -33,9 +33,6 @@ constexpr int BorderContinuation = 3;
 /** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
  * than half a voxel lets it yield: by how much the radius is larger. */
 constexpr float CentreMargin = 0.1f;
-/** In parts of one voxel's thickness centres stay further away: the flow would leave a thread that is too thin to mesh.
- */
-constexpr float ThinCentreMargin = 0.2f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */
@@ -64,33 +61,6 @@ BandValues(const LevelSet & levelSet)
     values.push_back(levelSet.Values()[n]);
   }
   return values;
-}
-
-/** Whether a voxel belongs to no 2 x 2 x 2 block of its material. */
-bool
-IsThin(const MaterialImage & image, const Index & at)
-{
-  const auto materialAt = [&](int i, int j, int k) {
-    const Index clamped{ { std::min(std::max(i, 0), image.grid.size[0] - 1),
-                           std::min(std::max(j, 0), image.grid.size[1] - 1),
-                           std::min(std::max(k, 0), image.grid.size[2] - 1) } };
-    return image.materials[image.grid.Offset(clamped)];
-  };
-  const Material own = materialAt(at[0], at[1], at[2]);
-  for (int block = 0; block < 8; ++block)
-  {
-    const Index low{ { at[0] - (block & 1), at[1] - ((block >> 1) & 1), at[2] - (block >> 2) } };
-    bool        whole = true;
-    for (int corner = 0; corner < 8 && whole; ++corner)
-    {
-      whole = materialAt(low[0] + (corner & 1), low[1] + ((corner >> 1) & 1), low[2] + (corner >> 2)) == own;
-    }
-    if (whole)
-    {
-      return false;
-    }
-  }
-  return true;
 }
 
 /** How far the interface has to stay from the centre of each of the band's voxels. */
@@ -168,6 +138,26 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
 }
 } // namespace
 
+bool
+IsThin(const MaterialImage & image, const Index & at)
+{
+  const Material own = image.AtNearest(at);
+  for (int block = 0; block < 8; ++block)
+  {
+    bool isWhole = true;
+    for (int corner = 0; corner < 8 && isWhole; ++corner)
+    {
+      const auto along = [&](int a) { return at[a] - ((block >> a) & 1) + ((corner >> a) & 1); };
+      isWhole = image.AtNearest(Index{ { along(0), along(1), along(2) } }) == own;
+    }
+    if (isWhole)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 std::vector<MaterialBox>
 ComputeMaterialBoxes(const MaterialImage & image)
 {
@@ -223,10 +213,6 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   const Grid & grid = image.grid;
   Index        lower;
   Index        size;
-  Block<float> indicator;
-  const auto   covered = ComputeIndicatorBox(grid, box);
-  indicator.lower = covered.lower;
-  indicator.size = covered.size;
   for (int a = 0; a < 3; ++a)
   {
     const int band = BandNodes(grid, a);
@@ -250,16 +236,7 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
     levelSet.Redistance(LevelSet::Before::NearDistances);
   }
 
-  indicator.values.resize(std::size_t(indicator.size[0]) * indicator.size[1] * indicator.size[2]);
-  auto out = indicator.values.begin();
-  for (int k = 0; k < indicator.size[2]; ++k)
-  {
-    for (int j = 0; j < indicator.size[1]; ++j, out += indicator.size[0])
-    {
-      const auto row = levelSet.Offset(Index{ { indicator.lower[0], indicator.lower[1] + j, indicator.lower[2] + k } });
-      std::copy_n(levelSet.Values().begin() + row, indicator.size[0], out);
-    }
-  }
-  return indicator;
+  const auto covered = ComputeIndicatorBox(grid, box);
+  return levelSet.Copy(covered.lower, covered.size);
 }
 } // namespace mmm

@@ -55,17 +55,34 @@ InterfaceLabels::OfSides(const std::array<Material, 2> & sides) const
   return { { std::min(a, b), std::max(a, b) } };
 }
 
-std::array<int, 5>
-InterfaceLabels::OfParticle(const Cell & cell) const
+template <typename TMaterials>
+std::vector<int>
+InterfaceLabels::OfMaterials(const TMaterials & materials) const
 {
   std::vector<int> labels;
-  for (const Material material : cell)
+  for (const Material material : materials)
   {
     labels.push_back(this->OfMaterial(material));
   }
   std::sort(labels.begin(), labels.end());
   labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
+}
+
+std::array<int, 5>
+InterfaceLabels::OfParticle(const Cell & cell) const
+{
+  auto labels = this->OfMaterials(cell);
   labels.resize(4, labels.back());
   return { { cell.Dimension(), labels[0], labels[1], labels[2], labels[3] } };
+}
+
+std::array<int, 5>
+InterfaceLabels::OfJunction(const MaterialList & materials) const
+{
+  auto       labels = this->OfMaterials(materials);
+  const auto count = int(labels.size());
+  labels.resize(4, labels.back());
+  return { { count, labels[0], labels[1], labels[2], labels[3] } };
 }
 } // namespace mmm

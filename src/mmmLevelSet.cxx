@@ -99,6 +99,24 @@ LevelSet::LevelSet(const Index & lower, const Index & size, const Vector & spaci
   , m_Values(std::size_t(size[0]) * size[1] * size[2] + Lanes, float(-width))
 {}
 
+Block<float>
+LevelSet::Copy(const Index & lower, const Index & size) const
+{
+  Block<float> block;
+  block.lower = lower;
+  block.size = size;
+  block.values.reserve(std::size_t(size[0]) * size[1] * size[2]);
+  for (int k = 0; k < size[2]; ++k)
+  {
+    for (int j = 0; j < size[1]; ++j)
+    {
+      const auto row = m_Values.begin() + this->Offset(Index{ { lower[0], lower[1] + j, lower[2] + k } });
+      block.values.insert(block.values.end(), row, row + size[0]);
+    }
+  }
+  return block;
+}
+
 void
 LevelSet::SelectBand(double distance)
 {

@@ -54,7 +54,7 @@ constexpr double TetrahedraPerVolume = 5.25;
 constexpr double PointsPerTetrahedron = 0.17;
 constexpr double PointsPerTriangle = 0.05;
 constexpr double BytesPerTetrahedron = 680.0;
-constexpr double BytesPerTriangle = 320.0; // without tetrahedra
+constexpr double BytesPerTriangle = 2400.0; // where only the surface is wanted
 constexpr double Gigabyte = 1024.0 * 1024.0 * 1024.0;
 
 /** Planes of the grid that are summed up together: their number is no matter of threads. */
@@ -178,10 +178,6 @@ MeshEstimator::MeshEstimator(const IndicatorSet & indicators,
     const auto binOf = [&](double size, std::uint8_t thickness) -> Bin & {
       return bins[SizeBin(size) * ThicknessBins + thickness];
     };
-    const auto addArea = [&](double size, std::uint8_t thickness, double area) {
-      Bin & bin = binOf(size, thickness);
-      bin.area += area;
-    };
     for (int k = int(begin); k < int(end); ++k)
     {
       for (int j = 0; j < grid.size[1]; ++j)
@@ -204,12 +200,13 @@ MeshEstimator::MeshEstimator(const IndicatorSet & indicators,
             if (isMeshed && (at[a] == 0 || after[a] == grid.size[a]))
             {
               // the box cuts along voxel faces
-              addArea(sizes[n], thicknesses[n], face);
+              binOf(sizes[n], thicknesses[n]).area += face;
             }
             const std::size_t other = after[a] < grid.size[a] ? grid.Offset(after) : n;
             if (indicators.MaterialAtNode(other) != own)
             {
-              addArea(0.5 * (sizes[n] + sizes[other]), std::min(thicknesses[n], thicknesses[other]), face / FaceArea);
+              binOf(0.5 * (sizes[n] + sizes[other]), std::min(thicknesses[n], thicknesses[other])).area +=
+                face / FaceArea;
             }
           }
         }

@@ -266,6 +266,48 @@ CompareTopology(const IndicatorSet &        indicators,
   }
   return result;
 }
+
+/** The tetrahedra between the points that have the triangles among their faces. The points after the fixed ones may be
+ * left out. */
+void
+Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
+{
+  const auto & triangles = result.interfaces.triangles;
+  try
+  {
+    result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    result.report.recoveryFailed = true;
+    if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
+    {
+      throw;
+    }
+  }
+}
+
+/** Where only the surface is wanted, tetrahedra are there to keep it free of intersections while its triangles improve:
+ * none but the flattest are worked on. */
+OptimizationParameters
+ForSurface(OptimizationParameters parameters)
+{
+  constexpr double Angle = 5.0;
+  constexpr int    Rounds = 3;
+  parameters.poorAngle = Angle;
+  parameters.flipAngle = Angle;
+  parameters.rounds = std::min(parameters.rounds, Rounds);
+  return parameters;
+}
+
+/** What else there is to say of the surface once it is final. */
+void
+DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Material exterior, MeshingResult & result)
+{
+  result.junctions = ExtractJunctions(
+    result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
+  result.report.sampling = MeasureSampling(indicators, sizing, result.interfaces, result.points, result.particles);
+}
 } // namespace
 
 void
@@ -322,11 +364,6 @@ BuildMesh(const IndicatorSet &      indicators,
   CheckLinks(indicators, exterior, labelled, particles, report.links);
   result.interfaces = ExtractInterfaces(labelled, exterior);
   report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, result.interfaces, exterior);
-  if (parameters.surfaceOnly && parameters.compareTopology)
-  {
-    DropMaterial(exterior, labelled);
-    report.topology = CompareTopology(indicators, particles.positions, labelled, exterior);
-  }
   report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
   for (std::size_t p = 0; p < particles.Size(); ++p)
   {
@@ -335,20 +372,19 @@ BuildMesh(const IndicatorSet &      indicators,
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);
-  if (parameters.surfaceOnly)
-  {
-    return;
-  }
 
-  monitor.BeginStage("seeding of the interior");
   ParticleSet all = particles;
-  SeedInteriorParticles(indicators, sizing, parameters.exterior, parameters.seed, all);
-  monitor.Report(1.0);
-  monitor.BeginStage(RelaxationNames[3]);
-  RelaxationParameters interior = parameters.relaxation;
-  interior.maximumSweeps = std::min(interior.maximumSweeps, InteriorSweeps);
-  report.relaxation[3] = RelaxParticles(indicators, sizing, 3, interior, all, monitor);
-  report.particles[3] = all.Size() - particles.Size();
+  if (!parameters.surfaceOnly)
+  {
+    monitor.BeginStage("seeding of the interior");
+    SeedInteriorParticles(indicators, sizing, parameters.exterior, parameters.seed, all);
+    monitor.Report(1.0);
+    monitor.BeginStage(RelaxationNames[3]);
+    RelaxationParameters interior = parameters.relaxation;
+    interior.maximumSweeps = std::min(interior.maximumSweeps, InteriorSweeps);
+    report.relaxation[3] = RelaxParticles(indicators, sizing, 3, interior, all, monitor);
+    report.particles[3] = all.Size() - particles.Size();
+  }
 
   monitor.BeginStage("constrained tetrahedralization");
   const auto corners = EnclosingCorners(indicators.GetGrid());
@@ -356,18 +392,20 @@ BuildMesh(const IndicatorSet &      indicators,
   const std::size_t numberOfFixedPoints = result.points.size();
   result.points.insert(result.points.end(), all.positions.begin() + particles.Size(), all.positions.end());
   const std::size_t numberOfPoints = result.points.size();
-  const auto &      triangles = result.interfaces.triangles;
   try
   {
-    result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+    Tetrahedralize(numberOfFixedPoints, result);
   }
   catch (const itk::ExceptionObject &)
   {
-    report.recoveryFailed = true;
-    if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
+    if (!parameters.surfaceOnly)
     {
       throw;
     }
+    // the surface stands without being improved
+    result.points.resize(result.numberOfSurfacePoints);
+    DescribeSurface(indicators, wantedSizing, exterior, result);
+    return;
   }
   result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
   report.steinerPoints = result.points.size() - numberOfPoints;
@@ -381,7 +419,13 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   const IndicatorConstraint constraint(indicators, exterior, std::move(cells));
   TetrahedralComplex        complex(result.tetrahedra, result.points.size());
-  report.optimization = OptimizeMesh(constraint, exterior, parameters.optimization, result.points, complex, monitor);
+  report.optimization =
+    OptimizeMesh(constraint,
+                 exterior,
+                 parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization,
+                 result.points,
+                 complex,
+                 monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
   BalanceVolumes(indicators, constraint, exterior, complex, result.points);
   result.tetrahedra = complex.GetMesh();
@@ -393,6 +437,11 @@ BuildMesh(const IndicatorSet &      indicators,
     monitor.Report(1.0);
   }
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
+  if (parameters.surfaceOnly)
+  {
+    result.tetrahedra = TetrahedralMesh();
+  }
   SortPoints(result);
+  DescribeSurface(indicators, wantedSizing, exterior, result);
 }
 } // namespace mmm

@@ -84,7 +84,8 @@ public:
       report.meanMove = this->Sweep();
       report.sweeps = sweep + 1;
       monitor.Report(double(sweep + 1) / m_Parameters.maximumSweeps);
-      if (report.meanMove < m_Parameters.tolerance && sweep > *std::prev(std::end(PopulationSweeps)))
+      report.converged = report.meanMove < m_Parameters.tolerance;
+      if (report.converged && sweep > *std::prev(std::end(PopulationSweeps)))
       {
         break;
       }

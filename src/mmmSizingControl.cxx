@@ -37,9 +37,9 @@ NearestNode(const Grid & grid, const Vector & x)
   Index node;
   for (int a = 0; a < 3; ++a)
   {
-    node[a] = std::min(std::max(int(std::lround(x[a] / grid.spacing[a])), 0), grid.size[a] - 1);
+    node[a] = int(std::lround(x[a] / grid.spacing[a]));
   }
-  return grid.Offset(node);
+  return grid.Offset(grid.Clamp(node));
 }
 } // namespace
 

@@ -213,6 +213,44 @@ TEST(IndicatorImagesToMeshFilter, ParticlesTellWhichLabelsMeet)
   EXPECT_GT((counts[{ { 1, 0, 3, 7, 7 } }]), 0);
 }
 
+TEST(IndicatorImagesToMeshFilter, JunctionsAreLinesThatFollowEachOther)
+{
+  const auto filter = MakeFilter(HalvesInputs(), 0);
+  filter->Update();
+  const auto * junctions = filter->GetJunctions();
+  const auto   lines = mmmtest::CellsOf<2>(junctions);
+  const auto & data = mmmtest::CellDataOf(junctions);
+  ASSERT_GT(lines.size(), 10u);
+  ASSERT_EQ(data.size(), lines.size());
+  EXPECT_EQ(junctions->GetNumberOfPoints(), lines.size());
+  for (std::size_t n = 0; n < lines.size(); ++n)
+  {
+    EXPECT_EQ(lines[n][1], lines[(n + 1) % lines.size()][0]);
+    const int expected[] = { 0, 3, 0, 3, 7, 7 };
+    EXPECT_TRUE(std::equal(data[n].Begin(), data[n].End(), expected));
+  }
+}
+
+TEST(IndicatorImagesToMeshFilter, JunctionPointsAreVerticesWithoutCurve)
+{
+  const auto filter = MakeFilter(HalvesInputs(), -1);
+  filter->Update();
+  const auto * junctions = filter->GetJunctions();
+  const auto & data = mmmtest::CellDataOf(junctions);
+  std::size_t  corners = 0;
+  for (auto cell = junctions->GetCells()->Begin(); cell != junctions->GetCells()->End(); ++cell)
+  {
+    const bool isVertex = cell.Value()->GetNumberOfPoints() == 1;
+    EXPECT_EQ(isVertex, data[cell.Index()][0] == -1);
+    corners += isVertex;
+  }
+  // of the image's box, where label 0 meets the outside
+  EXPECT_EQ(corners, 8u);
+  EXPECT_EQ(data[0][1], 2);
+  EXPECT_EQ(data[0][2], -1);
+  EXPECT_EQ(data[0][3], 0);
+}
+
 TEST(IndicatorImagesToMeshFilter, LabelsNeedNotBeSorted)
 {
   const auto & sorted = HalvesInputs();
@@ -293,6 +331,7 @@ TEST(IndicatorImagesToMeshFilter, SurfaceOnlyMakesNoTetrahedra)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0u);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0u);
   EXPECT_GT(filter->GetSurface()->GetNumberOfCells(), 100u);
+  EXPECT_GT(filter->GetJunctions()->GetNumberOfCells(), 10u);
 }
 
 TEST(IndicatorImagesToMeshFilter, KeepsTheSurfaceWhenTetrahedralizationFails)

@@ -270,6 +270,7 @@ TEST(LabelImageToTetrahedralMeshFilter, SameMeshForAnyNumberOfThreads)
   const auto                              image = mmmtest::MakeHalves<LabelImage>(24, 8.0);
   std::vector<mmm::Vector>                points;
   std::vector<std::array<std::size_t, 4>> cells;
+  std::vector<std::array<std::size_t, 2>> junctions;
   for (const itk::ThreadIdType threads : { 1, 2, 4 })
   {
     const mmmtest::ThreadCount count(threads);
@@ -278,9 +279,12 @@ TEST(LabelImageToTetrahedralMeshFilter, SameMeshForAnyNumberOfThreads)
     {
       points = mmmtest::PointsOf(filter->GetOutput());
       cells = mmmtest::CellsOf<4>(filter->GetOutput());
+      junctions = mmmtest::CellsOf<2>(filter->GetJunctions());
+      EXPECT_GT(junctions.size(), 10u);
     }
     EXPECT_EQ(mmmtest::PointsOf(filter->GetOutput()), points) << threads;
     EXPECT_EQ(mmmtest::CellsOf<4>(filter->GetOutput()), cells) << threads;
+    EXPECT_EQ(mmmtest::CellsOf<2>(filter->GetJunctions()), junctions) << threads;
   }
 }
 

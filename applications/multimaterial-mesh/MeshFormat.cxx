@@ -30,8 +30,8 @@ Extensions(MeshKind kind)
 {
   static const std::vector<std::string> volume{ ".vtu", ".msh", ".mesh" };
   static const std::vector<std::string> surface{ ".vtu", ".msh", ".mesh", ".stl", ".obj", ".off" };
-  static const std::vector<std::string> points{ ".vtu" };
-  return kind == MeshKind::Volume ? volume : kind == MeshKind::Surface ? surface : points;
+  static const std::vector<std::string> others{ ".vtu" };
+  return kind == MeshKind::Volume ? volume : kind == MeshKind::Surface ? surface : others;
 }
 } // namespace
 

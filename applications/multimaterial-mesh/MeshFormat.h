@@ -29,7 +29,8 @@ enum class MeshKind
 {
   Volume,
   Surface,
-  Points
+  Points,
+  Curves
 };
 
 /** The extension of a file name, if such meshes can be written to such files; else an empty text. */

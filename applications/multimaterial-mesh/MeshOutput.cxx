@@ -147,6 +147,16 @@ WriteParticles(const itk::LabelParticleMesh * particles, const std::string & fil
 }
 
 void
+WriteJunctions(const itk::LabelJunctionMesh * junctions, const std::string & fileName)
+{
+  const auto io = itk::VTUMeshIO::New();
+  // meshio reads it then
+  io->WriteSpaceOff();
+  io->SetCellDataNames({ "curve", "label_count", "label_a", "label_b", "label_c", "label_d" });
+  Write(junctions, fileName, io);
+}
+
+void
 CheckLabelsFit(const Settings & settings, const mmm::LabelCounts & voxels)
 {
   if (!StyleOf(settings, 0).IsForSimNIBS())

@@ -40,6 +40,8 @@ void
 WriteSurface(const itk::LabelInterfaceMesh * surface, const std::string & fileName, const MeshStyle & style);
 void
 WriteParticles(const itk::LabelParticleMesh * particles, const std::string & fileName);
+void
+WriteJunctions(const itk::LabelJunctionMesh * junctions, const std::string & fileName);
 
 /** Throws Error if the meshes of the image's labels cannot be written as asked for. */
 void

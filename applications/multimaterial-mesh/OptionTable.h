@@ -42,6 +42,7 @@ enum class Kind
   Mesh,
   Surface,
   Particles,
+  Junctions,
   File,
   FilePrefix
 };

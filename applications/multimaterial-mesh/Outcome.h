@@ -38,6 +38,7 @@ struct Outcome
   itk::LabelTetrahedralMesh::Pointer tetrahedra;
   itk::LabelInterfaceMesh::Pointer   surface;
   itk::LabelParticleMesh::Pointer    particles;
+  itk::LabelJunctionMesh::Pointer    junctions;
   mmm::MeshQualityReport             quality;
   SurfaceQuality                     surfaceQuality;
   std::vector<mmm::StageRecord>      stages;

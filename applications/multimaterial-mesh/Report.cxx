@@ -197,8 +197,29 @@ RelaxationSection(const mmm::MeshingReport & report)
     section.push_back({ { "cell_dimension", dimension },
                         { "sweeps", relaxation.sweeps },
                         { "mean_move", Number(relaxation.meanMove) },
+                        { "converged", relaxation.converged },
                         { "added", relaxation.added },
                         { "removed", relaxation.removed } });
+  }
+  return section;
+}
+
+Json
+SamplingSection(const mmm::SamplingReport & sampling)
+{
+  Json section;
+  section["spacing_by_size"] = { { "median", Number(sampling.medianSpacing) },
+                                 { "first_percentile", Number(sampling.percentile1Spacing) },
+                                 { "last_percentile", Number(sampling.percentile99Spacing) },
+                                 { "share_from_0.6_to_1.6", Number(sampling.nearShare) } };
+  section["residuals_in_voxels"] = Json::array();
+  for (std::size_t dimension = 1; dimension < sampling.residuals.size(); ++dimension)
+  {
+    const mmm::ResidualReport & residual = sampling.residuals[dimension];
+    section["residuals_in_voxels"].push_back({ { "cell_dimension", dimension },
+                                               { "maximum", Number(residual.maximum) },
+                                               { "last_percentile", Number(residual.percentile99) },
+                                               { "share_above_0.01", Number(residual.leftShare) } });
   }
   return section;
 }
@@ -363,6 +384,7 @@ MakeReport(const Outcome & outcome)
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
   report["topology"] = TopologySection(filter.GetReport());
+  report["sampling"] = SamplingSection(filter.GetReport().sampling);
   report["optimization"] = OptimizationSection(filter.GetReport().optimization);
   report["quality"] = QualitySection(outcome);
   report["stages"] = StageSection(outcome.stages);

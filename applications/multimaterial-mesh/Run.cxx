@@ -50,11 +50,9 @@ void
 CheckOutputs(const Settings & settings)
 {
   using Name = std::pair<std::string, std::string>;
-  std::vector<Name> outputs{ { "OUTPUT", settings.output },
-                             { "--surface", settings.surface },
-                             { "--particles", settings.particles },
-                             { "--report", settings.report },
-                             { "--save-sizing", settings.sizingFile } };
+  std::vector<Name> outputs{ { "OUTPUT", settings.output },         { "--surface", settings.surface },
+                             { "--particles", settings.particles }, { "--junctions", settings.junctions },
+                             { "--report", settings.report },       { "--save-sizing", settings.sizingFile } };
   if (!settings.indicatorPrefix.empty())
   {
     outputs.emplace_back("--save-indicators", IndicatorName(settings, 0));
@@ -116,8 +114,9 @@ CheckPrefixes(const Settings & settings)
     }
     const auto               stem = forZero.substr(0, forZero.rfind("0."));
     const auto               suffix = forZero.substr(stem.size() + 1);
-    std::vector<std::string> others{ settings.labels,  settings.sizingImage, settings.roi,    settings.output,
-                                     settings.surface, settings.particles,   settings.report, settings.sizingFile };
+    std::vector<std::string> others{ settings.labels,    settings.sizingImage, settings.roi,
+                                     settings.output,    settings.surface,     settings.particles,
+                                     settings.junctions, settings.report,      settings.sizingFile };
     others.insert(others.end(), settings.indicators.begin(), settings.indicators.end());
     for (const auto & other : others)
     {
@@ -154,10 +153,12 @@ TakeMeshes(Outcome & outcome)
   outcome.tetrahedra = outcome.filter->GetOutput();
   outcome.surface = outcome.filter->GetSurface();
   outcome.particles = outcome.filter->GetParticles();
+  outcome.junctions = outcome.filter->GetJunctions();
   // Writers would ask the filter to run again.
   outcome.tetrahedra->DisconnectPipeline();
   outcome.surface->DisconnectPipeline();
   outcome.particles->DisconnectPipeline();
+  outcome.junctions->DisconnectPipeline();
 }
 
 void
@@ -201,6 +202,10 @@ WriteMeshes(const Outcome & outcome)
   if (!settings.particles.empty())
   {
     WriteParticles(outcome.particles, settings.particles);
+  }
+  if (!settings.junctions.empty())
+  {
+    WriteJunctions(outcome.junctions, settings.junctions);
   }
 }
 

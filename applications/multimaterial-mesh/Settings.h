@@ -48,6 +48,7 @@ struct Settings
 
   std::string surface;
   std::string particles;
+  std::string junctions;
   bool        surfaceOnly{ false };
   std::string surfacePrefix;
   std::string mshFormat{ "4.1" };

@@ -31,15 +31,17 @@ void
 CheckMeshName(const Option & option, const Settings & settings)
 {
   const bool   isSurface = option.kind == Kind::Surface || (option.IsPositional() && settings.surfaceOnly);
-  const auto   kind = option.kind == Kind::Particles ? MeshKind::Points
-                      : isSurface                    ? MeshKind::Surface
-                                                     : MeshKind::Volume;
+  const auto   kind = option.kind == Kind::Particles   ? MeshKind::Points
+                      : option.kind == Kind::Junctions ? MeshKind::Curves
+                      : isSurface                      ? MeshKind::Surface
+                                                       : MeshKind::Volume;
   const auto & fileName = settings.*std::get<std::string Settings::*>(option.field);
   if (!fileName.empty() && ExtensionFor(kind, fileName).empty())
   {
     const char * const what = kind == MeshKind::Volume    ? "meshes"
                               : kind == MeshKind::Surface ? "surfaces"
-                                                          : "particles";
+                              : kind == MeshKind::Points  ? "particles"
+                                                          : "junctions";
     throw UsageError(NameOf(option) + " is '" + fileName + "'; " + what + " are written as " +
                      DescribeExtensions(kind));
   }
@@ -78,7 +80,8 @@ CheckSettings(const Settings & settings)
 {
   for (const Option & option : OptionTable())
   {
-    if (option.kind == Kind::Mesh || option.kind == Kind::Surface || option.kind == Kind::Particles)
+    if (option.kind == Kind::Mesh || option.kind == Kind::Surface || option.kind == Kind::Particles ||
+        option.kind == Kind::Junctions)
     {
       CheckMeshName(option, settings);
     }

@@ -122,6 +122,7 @@ Element(const Option & option, std::string & attributes)
     case Kind::Mesh:
     case Kind::Surface:
     case Kind::Particles:
+    case Kind::Junctions:
       attributes = " type=\"model\" fileExtensions=\".vtu\"";
       return "geometry";
     case Kind::File:
@@ -168,7 +169,8 @@ bool
 IsData(const Option & option)
 {
   return option.kind == Kind::LabelImage || option.kind == Kind::ScalarImage || option.kind == Kind::Mesh ||
-         option.kind == Kind::Surface || option.kind == Kind::Particles || option.kind == Kind::File;
+         option.kind == Kind::Surface || option.kind == Kind::Particles || option.kind == Kind::Junctions ||
+         option.kind == Kind::File;
 }
 
 void

@@ -51,11 +51,12 @@ def find_program(name, program=None):
 
 
 def run(program, labels, folder):
-    files = {name: folder / f"{name}.vtu" for name in ("mesh", "surface", "particles")}
+    files = {name: folder / f"{name}.vtu" for name in ("mesh", "surface", "particles", "junctions")}
     if all(file.exists() for file in files.values()):
         return
     command = [program, str(labels), str(files["mesh"]), "--surface", str(files["surface"])]
-    command += ["--particles", str(files["particles"]), "--save-indicators", str(folder / "indicator-")]
+    command += ["--particles", str(files["particles"]), "--junctions", str(files["junctions"])]
+    command += ["--save-indicators", str(folder / "indicator-")]
     command += ["--save-sizing", str(folder / "sizing.nrrd"), "--report", str(folder / "report.json")]
     subprocess.run(command, check=True)
 
@@ -139,12 +140,16 @@ def spacing_per_size(surface, sizing):
     return mean / map_coordinates(itk.array_view_from_image(sizing), index.T[::-1], order=1, mode="nearest")
 
 
-def draw_particles(particles, surface, sizing, picture):
+def labels_of(mesh):
+    return np.stack([mesh[f"label_{letter}"] for letter in "abcd"], axis=1)
+
+
+def draw_particles(particles, junctions, surface, sizing, picture):
     """Those around the label with the most junctions, by the dimension of their cell and by their spacing."""
     sides = np.stack([surface["label_a"], surface["label_b"]], axis=1)
-    labels_there = np.stack([particles[f"label_{letter}"] for letter in "abcd"], axis=1)
-    junctions = particles["dimension"] < 2
-    around = max(np.unique(sides)[1:], key=lambda label: (labels_there[junctions] == label).any(axis=1).sum())
+    near_junctions = labels_of(particles)[particles["dimension"] < 2]
+    around = max(np.unique(sides)[1:], key=lambda label: (near_junctions == label).any(axis=1).sum())
+    is_curve = (labels_of(junctions) == around).any(axis=1) & (junctions["curve"] >= 0)
     ratio = spacing_per_size(surface, sizing)
     surface["spacing"] = ratio
     surface["dimension"] = np.full(surface.n_points, 2)
@@ -153,6 +158,8 @@ def draw_particles(particles, surface, sizing, picture):
     center = np.array(shown.center)
     plotter = pyvista.Plotter(off_screen=True, window_size=(1300, 620), shape=(1, 2), border=False)
     plotter.add_mesh(shown.copy(), color="#e8e8e8", lighting=True)
+    if is_curve.any():
+        plotter.add_mesh(junctions.extract_cells(is_curve), color="#1858d0", line_width=2)
     for n, color in ((2, "#607890"), (1, "#1858d0"), (0, "#d02020")):
         points = shown.points[shown["dimension"] == n]
         if len(points):
@@ -236,8 +243,10 @@ def main():
     indicators = {int(label): itk.imread(folder / f"indicator-{label}.nrrd", itk.F) for label in known}
     draw_indicators(part, indicators, folder / "indicators.png")
     draw_sizing(part, sizing, folder / "sizing.png")
-    particles = pyvista.read(folder / "particles.vtu")
-    draw_particles(particles, pyvista.read(folder / "surface.vtu"), sizing, folder / "particles.png")
+    particles, junctions, surface = (
+        pyvista.read(folder / f"{name}.vtu") for name in ("particles", "junctions", "surface")
+    )
+    draw_particles(particles, junctions, surface, sizing, folder / "particles.png")
     draw_mesh(pyvista.read(folder / "mesh.vtu"), folder / "cut.png")
     draw_angles(folder / "report.json", folder / "angles.png")
 

@@ -111,6 +111,17 @@ def test_particles(meshed):
     assert set(data[:, 0]) <= {0, 1, 2}
 
 
+def test_junctions(spheres):
+    mesher = itk.LabelImageToTetrahedralMeshFilter.New(spheres)
+    mesher.SetExteriorLabels([])
+    mesher.Update()
+    data = np.asarray(mesher.GetJunctions().GetCellData())
+    assert data.shape == (mesher.GetJunctions().GetNumberOfCells(), 6)
+    # eight corners and twelve edges of the image's box
+    assert (data[:, 0] == -1).sum() == 8
+    assert set(data[:, 0]) == set(range(-1, 12))
+
+
 def test_reports(meshed):
     assert list(meshed.GetLabels()) == [0, 1, 2]
     assert meshed.GetOutsideLabel() == 0

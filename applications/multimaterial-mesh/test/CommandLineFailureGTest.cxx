@@ -159,6 +159,15 @@ TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForAMesh)
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
 }
 
+TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForASurface)
+{
+  const auto labels = this->WriteBalls();
+  const auto result =
+    RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu"), "--surface-only", "--quiet" });
+  EXPECT_EQ(result.error, "");
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
+}
+
 TEST_F(CommandLineFailure, TetGenOutOfMemory)
 {
   const auto labels = this->WriteBalls();

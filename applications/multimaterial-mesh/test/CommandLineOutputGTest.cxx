@@ -271,6 +271,33 @@ TEST_F(CommandLineOutput, Particles)
   }
 }
 
+TEST_F(CommandLineOutput, Junctions)
+{
+  this->Mesh({ "--exterior", "none", "--junctions", this->Path("junctions.vtu") });
+  const auto reader = itk::MeshFileReader<itk::LabelJunctionMesh>::New();
+  const auto io = itk::VTUMeshIO::New();
+  io->SetCellDataNames({ "curve", "label_count", "label_a", "label_b", "label_c", "label_d" });
+  reader->SetMeshIO(io);
+  reader->SetFileName(this->Path("junctions.vtu"));
+  reader->Update();
+  // the edges and corners of the image's box, where label 0 meets the outside, -1
+  std::set<int> curves;
+  for (const auto & cell : reader->GetOutput()->GetCellData()->CastToSTLConstContainer())
+  {
+    curves.insert(cell[0]);
+    EXPECT_EQ(cell[1], 2);
+    EXPECT_EQ(cell[2], -1);
+    EXPECT_EQ(cell[3], 0);
+  }
+  EXPECT_EQ(curves.size(), 13u);
+}
+
+TEST_F(CommandLineOutput, JunctionsMayBeNone)
+{
+  this->Mesh({ "--junctions", this->Path("junctions.vtu") });
+  EXPECT_EQ(this->ReadMesh<itk::LabelTetrahedralMesh>("junctions.vtu")->GetNumberOfPoints(), 0u);
+}
+
 TEST_F(CommandLineOutput, Indicators)
 {
   this->Mesh({ "--save-indicators", this->Path("f") });
