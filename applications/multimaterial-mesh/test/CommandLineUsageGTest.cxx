@@ -108,6 +108,11 @@ TEST_F(CommandLineUsage, LabelsThatSimNIBSHasNot)
     { labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" }, 1, "label 1000 is to be meshed");
 }
 
+TEST_F(CommandLineUsage, OptionInPlaceOfAFileName)
+{
+  this->ExpectUsageError({ "--report", "--quiet" }, "--report is '--quiet', which looks like an option");
+}
+
 TEST_F(CommandLineUsage, OneFileForTwoPurposes)
 {
   this->ExpectUsageError({ "--surface", this->Path("./out.vtu") }, "are the same file");
