@@ -119,6 +119,18 @@ TEST_F(CommandLineUsage, OneFileForTwoPurposes)
   this->ExpectUsageError({ "--save-sizing", this->Path("labels.nrrd") }, "are the same file");
 }
 
+TEST_F(CommandLineUsage, PrefixOfAnotherFile)
+{
+  const auto prefix = this->Path("part");
+  this->ExpectUsageError({ "--save-indicators", prefix, "--save-sizing", prefix + "-3.nrrd" },
+                         "--save-indicators could write to " + prefix +
+                           "-3.nrrd, which is the file of --save-sizing; choose another prefix");
+  this->ExpectUsageError({ "--surface-per-label", prefix + ".vtu", "--particles", prefix + "12.vtu" },
+                         "which is the file of --particles");
+  this->ExpectUsageError({ "--save-indicators", prefix, "--roi", prefix + "5.nrrd", "--roi-max-size", "2" },
+                         "which is the file of --roi");
+}
+
 TEST_F(CommandLineUsage, SurfaceTwice)
 {
   this->ExpectUsageError({ "--surface-only", "--surface", this->Path("surface.vtu") }, "leave out --surface");
