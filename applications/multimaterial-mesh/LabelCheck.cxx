@@ -77,4 +77,20 @@ CheckLabels(const std::string & fileName, const LabelImage & image)
   }
   return counts;
 }
+
+std::optional<int>
+LabelOfAir(const Settings & settings, const mmm::LabelCounts & voxels)
+{
+  if (!settings.IsFilled())
+  {
+    return std::nullopt;
+  }
+  const auto isThere = [&](int label) { return voxels.count(label) != 0; };
+  const auto first = std::find_if(settings.exterior.begin(), settings.exterior.end(), isThere);
+  if (first != settings.exterior.end())
+  {
+    return *first;
+  }
+  return settings.airMargin > 0.0 ? std::optional<int>(settings.exterior.front()) : std::nullopt;
+}
 } // namespace cli

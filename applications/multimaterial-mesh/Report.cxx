@@ -84,7 +84,7 @@ ParameterSection(const Settings & settings)
   const auto file = [](const std::string & name) { return name.empty() ? Json(nullptr) : Json(name); };
   Json       section;
   section["exterior"] = settings.exterior;
-  section["fill_exterior"] = settings.fillExterior || settings.airMargin;
+  section["fill_exterior"] = settings.IsFilled();
   section["air_margin_mm"] = length(settings.airMargin);
   section["min_island_voxels"] = settings.minIsland;
   section["surface_only"] = settings.surfaceOnly;

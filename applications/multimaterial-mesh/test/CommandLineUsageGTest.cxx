@@ -20,6 +20,7 @@
 
 #include "OptionTable.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace
@@ -106,6 +107,20 @@ TEST_F(CommandLineUsage, LabelsThatSimNIBSHasNot)
   const auto labels = this->WriteImage<LabelImage>(image, "large.nrrd");
   this->ExpectError(
     { labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" }, 1, "label 1000 is to be meshed");
+}
+
+TEST_F(CommandLineUsage, AirThatSimNIBSHasNot)
+{
+  const auto image = MakeBalls();
+  std::replace(image->GetBufferPointer(), image->GetBufferPointer() + 16 * 16 * 16, 0, 1);
+  const auto full = this->WriteImage<LabelImage>(image, "full.nrrd");
+  const auto run = [&](const std::string & labels, const std::vector<std::string> & options) {
+    std::vector<std::string> arguments{ labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    this->ExpectError(arguments, 1, "label 0 is that of the air; leave out --fill-exterior and --air-margin");
+  };
+  run(this->WriteBalls(), { "--fill-exterior" });
+  run(full, { "--air-margin", "2" });
 }
 
 TEST_F(CommandLineUsage, OptionInPlaceOfAFileName)
