@@ -96,6 +96,7 @@ public:
 
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
+  using RegionType = typename TLabelImage::RegionType;
   using LabelSizesType = mmm::LabelSizeRules;
   using VoxelCountsType = mmm::LabelCounts;
   using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
@@ -240,6 +241,10 @@ public:
   /** The labels of the image that was meshed, sorted: exterior ones merged, the exterior one included. */
   itkGetConstReferenceMacro(Labels, LabelsType);
 
+  /** The voxels that were meshed: those of the image, or with AirMargin those of the box, which may begin before the
+   * image and go beyond it. */
+  itkGetConstReferenceMacro(MeshedRegion, RegionType);
+
   /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first
    * of ExteriorLabels; if there is none, 0 or, if 0 is a label of the image, the smallest label minus 1. */
   itkGetConstMacro(OutsideLabel, LabelType);
@@ -365,7 +370,6 @@ private:
   void
   VerifyLabels(const VoxelCountsType & counts) const;
 
-  /** Throws if sizes are given for labels that will not be there. */
   void
   VerifyLabelSizes(const VoxelCountsType & counts) const;
 
@@ -418,6 +422,7 @@ private:
   bool           m_KeepIntermediates{ false };
 
   LabelsType         m_Labels;
+  RegionType         m_MeshedRegion;
   LabelType          m_OutsideLabel{ 0 };
   LabelsType         m_AbsentExteriorLabels;
   IslandRecordsType  m_IslandRecords;

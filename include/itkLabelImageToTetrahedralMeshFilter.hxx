@@ -291,7 +291,8 @@ try
     counts = mmm::CountLabels(domain.GetPointer());
   }
   this->VerifyLabelSizes(counts);
-  const mmm::GridGeometry geometry(domain, domain->GetLargestPossibleRegion());
+  m_MeshedRegion = domain->GetLargestPossibleRegion();
+  const mmm::GridGeometry geometry(domain, m_MeshedRegion);
   auto                    labels = this->MergeIslands(this->MakeGridImage(domain, geometry), monitor);
 
   monitor.BeginStage("indicators");
@@ -704,6 +705,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
+  os << indent << "MeshedRegion: " << m_MeshedRegion << std::endl;
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "AbsentExteriorLabels: " << m_AbsentExteriorLabels << std::endl;
   os << indent << "VanishedLabels:";

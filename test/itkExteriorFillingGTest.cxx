@@ -168,6 +168,20 @@ TEST(ExteriorFilling, SizesAndRegionStayInPlace)
   EXPECT_GT(sizes->GetPixel({ { -4, -4, -4 } }), 2.0f);
 }
 
+TEST(ExteriorFilling, MeshedRegionIsTheImageOrTheBoxWithItsMargin)
+{
+  // the ball is 12 voxels wide, from 4 to 15
+  const auto image = mmmtest::MakeBall<LabelImage>(20, 6.0);
+  const auto filter = MakeFilter(image);
+  filter->SurfaceOnlyOn();
+  filter->FillExteriorOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetMeshedRegion(), image->GetLargestPossibleRegion());
+  filter->SetAirMargin(6.5);
+  filter->Update();
+  EXPECT_EQ(filter->GetMeshedRegion(), LabelImage::RegionType({ { -3, -3, -3 } }, { { 26, 26, 26 } }));
+}
+
 TEST(ExteriorFilling, ThrowsOnWhatContradicts)
 {
   const auto image = mmmtest::MakeBall<LabelImage>(12, 4.0);
