@@ -370,6 +370,11 @@ private:
   void
   VerifyLabels(const VoxelCountsType & counts) const;
 
+  /** Throws if an image of that size takes more than MaximumMemory for sure. */
+  void
+  VerifyMemory(const RegionType & region) const;
+
+  /** Throws if sizes are given for labels that will not be there. */
   void
   VerifyLabelSizes(const VoxelCountsType & counts) const;
 

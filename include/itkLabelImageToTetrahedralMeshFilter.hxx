@@ -22,6 +22,7 @@
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
 #include "mmmImageRegions.h"
+#include "mmmMeshEstimate.h"
 #include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
@@ -429,7 +430,30 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeDomain(const TL
   }
   const auto box =
     mmm::BoxOf(input, [this](PixelType pixel) { return !this->IsExterior(static_cast<LabelType>(pixel)); });
-  return mmm::CopyRegion(input, mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin), air);
+  const auto region = mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin);
+  this->VerifyMemory(region);
+  return mmm::CopyRegion(input, region, air);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyMemory(const RegionType & region) const
+{
+  // the least that there is at a time: labels twice, sizes, distances and materials
+  constexpr double bytesPerVoxel = 2 * sizeof(typename TLabelImage::PixelType) + 12;
+  double           voxels = 1.0;
+  for (const auto length : region.GetSize())
+  {
+    voxels *= static_cast<double>(length);
+  }
+  const double gigabytes = voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
+  if (gigabytes > m_MaximumMemory)
+  {
+    itkExceptionMacro("With an air margin of " << m_AirMargin << " mm, the image has " << mmm::DescribeCount(voxels)
+                                               << " voxels and takes at least " << gigabytes
+                                               << " GB, more than the limit of " << m_MaximumMemory
+                                               << " GB. A smaller margin helps.");
+  }
 }
 
 template <typename TLabelImage, typename TOutputMesh>

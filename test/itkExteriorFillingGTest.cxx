@@ -182,6 +182,14 @@ TEST(ExteriorFilling, MeshedRegionIsTheImageOrTheBoxWithItsMargin)
   EXPECT_EQ(filter->GetMeshedRegion(), LabelImage::RegionType({ { -3, -3, -3 } }, { { 26, 26, 26 } }));
 }
 
+TEST(ExteriorFilling, ThrowsOnAMarginThatTakesMoreThanTheLimitOfMemory)
+{
+  const auto filter = MakeFilter(mmmtest::MakeBall<LabelImage>(20, 6.0));
+  filter->SetAirMargin(2000.0);
+  filter->SetMaximumMemory(4.0);
+  mmmtest::ExpectException([&] { filter->Update(); }, "With an air margin of 2000 mm, the image has");
+}
+
 TEST(ExteriorFilling, ThrowsOnWhatContradicts)
 {
   const auto image = mmmtest::MakeBall<LabelImage>(12, 4.0);

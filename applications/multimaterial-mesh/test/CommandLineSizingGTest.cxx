@@ -161,6 +161,12 @@ TEST_F(CommandLineSizing, BorderInTheReportIsThatOfTheMeshedBox)
   }
 }
 
+TEST_F(CommandLineSizing, MarginBeyondTheLimitOfMemoryIsRefused)
+{
+  this->ExpectFailure(
+    { "--air-margin", "5000", "--max-memory", "8" }, 1, "With an air margin of 5000 mm, the image has");
+}
+
 TEST_F(CommandLineSizing, ExteriorThatIsNotThereCannotBeFilled)
 {
   this->ExpectFailure({ "--exterior", "none", "--fill-exterior" }, 2, "leave out --exterior none");
