@@ -368,7 +368,7 @@ private:
 
   /** Throws if there is nothing to mesh. */
   void
-  VerifyLabels(const VoxelCountsType & counts) const;
+  VerifyLabels(const TLabelImage * input, const VoxelCountsType & counts) const;
 
   /** Throws if an image of that size takes more than MaximumMemory for sure. */
   void

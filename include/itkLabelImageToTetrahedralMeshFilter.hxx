@@ -22,6 +22,7 @@
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
 #include "mmmImageRegions.h"
+#include "mmmIntensityCheck.h"
 #include "mmmMeshEstimate.h"
 #include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
@@ -284,7 +285,7 @@ try
   monitor.BeginStage("merging of islands");
   const TLabelImage * input = this->GetInput();
   auto                counts = mmm::CountLabels(input);
-  this->VerifyLabels(counts);
+  this->VerifyLabels(input, counts);
   this->VerifyRegionOfInterest(input);
   const auto domain = this->MakeDomain(input, counts);
   if (domain != input)
@@ -328,7 +329,8 @@ catch (const std::bad_alloc &)
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const VoxelCountsType & counts) const
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const TLabelImage *     input,
+                                                                          const VoxelCountsType & counts) const
 {
   if (counts.size() < 2)
   {
@@ -343,6 +345,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
   if (isAllExterior)
   {
     itkExceptionMacro("All labels of the image are exterior: there is nothing to mesh.");
+  }
+  const std::string intensities = mmm::DescribeIntensities(input, counts);
+  if (!intensities.empty())
+  {
+    itkExceptionMacro("The image " << intensities << '.');
   }
 }
 
