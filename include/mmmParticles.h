@@ -94,12 +94,12 @@ SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int e
 /** Adds particles like these around some grid nodes, where those that are there are not dense enough for h. Returns how
  * many. */
 MultiMaterialMeshing_EXPORT std::size_t
-SeedParticlesAround(const IndicatorSet &             indicators,
-                    const SizingField &              sizing,
-                    int                              exterior,
-                    std::uint64_t                    seed,
-                    const std::vector<std::size_t> & nodes,
-                    ParticleSet &                    particles);
+                            SeedParticlesAround(const IndicatorSet &             indicators,
+                                                const SizingField &              sizing,
+                                                int                              exterior,
+                                                std::uint64_t                    seed,
+                                                const std::vector<std::size_t> & nodes,
+                                                ParticleSet &                    particles);
 
 /** \brief Moves the particles of the cells of dimension `dimension` apart until their spacing follows h.
  *
