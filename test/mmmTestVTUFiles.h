@@ -228,7 +228,7 @@ ReadingError(const std::string & name)
 
 /** The file with one to three places damaged: bits, bytes, numbers, parts that are missing or there twice. */
 inline std::string
-Damage(std::string file, std::mt19937 & random)
+DamageAtRandom(std::string file, std::mt19937 & random)
 {
   static const std::vector<std::string>   numbers{ "0",
                                                  "-1",
@@ -295,7 +295,7 @@ CountRejected(const std::vector<std::string> & files, std::size_t trials, const 
   std::size_t        rejected = 0;
   for (std::size_t trial = 0; trial < all; ++trial)
   {
-    rejected += isRejected(Damage(files[trial % files.size()], random)) ? 1 : 0;
+    rejected += isRejected(DamageAtRandom(files[trial % files.size()], random)) ? 1 : 0;
   }
   return { rejected, all };
 }

@@ -327,7 +327,7 @@ def test_optimizes_meshes_by_a_function(meshed):
         mesh, tolerance=0.2, feature_angle=50.0, maximum_number_of_rounds=1
     )
     assert volumes_of(optimized).sum() == pytest.approx(volumes_of(mesh).sum(), rel=0.01)
-    with pytest.raises(RuntimeError, match="tolerance is -1"):
+    with pytest.raises(RuntimeError, match="Tolerance is -1; it has to be positive"):
         itk.optimize_tetrahedral_mesh_filter(mesh, tolerance=-1.0)
 
 
