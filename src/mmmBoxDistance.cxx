@@ -29,13 +29,13 @@ namespace
 /** One pass of the separable transform: the smallest squared distance to the opposite kind when the offset along `axis`
  * is free as well. `squares` holds what the passes before found (0: not in this material's kind table). */
 void
-SweepAxis(int                             axis,
-          double                          spacing,
-          double                          width,
-          const Index &                   size,
-          const std::vector<char> &       inside,
-          const std::vector<float> &      source,
-          std::vector<float> &            target)
+SweepAxis(int                        axis,
+          double                     spacing,
+          double                     width,
+          const Index &              size,
+          const std::vector<char> &  inside,
+          const std::vector<float> & source,
+          std::vector<float> &       target)
 {
   const std::array<std::ptrdiff_t, 3> stride{ { 1, size[0], std::ptrdiff_t(size[0]) * size[1] } };
   const float                         limit = float(width * width);
@@ -80,11 +80,11 @@ SweepAxis(int                             axis,
 void
 ComputeBoxDistance(const MaterialImage & image, Material material, LevelSet & levelSet)
 {
-  const Index         lower = levelSet.GetLower();
-  const Index         size = levelSet.GetSize();
-  const double        width = levelSet.GetWidth();
+  const Index          lower = levelSet.GetLower();
+  const Index          size = levelSet.GetSize();
+  const double         width = levelSet.GetWidth();
   std::vector<float> & values = levelSet.Values();
-  std::vector<char>   inside(values.size());
+  std::vector<char>    inside(values.size());
   ParallelFor(size[2], 1, [&](std::size_t begin, std::size_t end) {
     for (int k = int(begin); k < int(end); ++k)
     {
