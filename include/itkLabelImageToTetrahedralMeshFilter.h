@@ -99,6 +99,7 @@ public:
 
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
+  using RegionType = typename TLabelImage::RegionType;
   using LabelSizesType = mmm::LabelSizeRules;
   using VoxelCountsType = mmm::LabelCounts;
   using IslandRecordsType = std::map<LabelType, mmm::IslandRecord>;
@@ -252,6 +253,10 @@ public:
   /** The labels of the image that was meshed, sorted: exterior ones merged, the exterior one included. */
   itkGetConstReferenceMacro(Labels, LabelsType);
 
+  /** The voxels that were meshed: those of the image, or with AirMargin those of the box, which may begin before the
+   * image and go beyond it. */
+  itkGetConstReferenceMacro(MeshedRegion, RegionType);
+
   /** The label of the outside in GetSurface() and GetParticles(): the exterior label; if the image has none, the first
    * of ExteriorLabels; if there is none, 0 or, if 0 is a label of the image, the smallest label minus 1. */
   itkGetConstMacro(OutsideLabel, LabelType);
@@ -375,7 +380,11 @@ private:
 
   /** Throws if there is nothing to mesh. */
   void
-  VerifyLabels(const VoxelCountsType & counts) const;
+  VerifyLabels(const TLabelImage * input, const VoxelCountsType & counts) const;
+
+  /** Throws if an image of that size takes more than MaximumMemory for sure. */
+  void
+  VerifyMemory(const RegionType & region) const;
 
   /** Throws if sizes are given for labels that will not be there. */
   void
@@ -431,6 +440,7 @@ private:
   bool           m_KeepIntermediates{ false };
 
   LabelsType         m_Labels;
+  RegionType         m_MeshedRegion;
   LabelType          m_OutsideLabel{ 0 };
   LabelsType         m_AbsentExteriorLabels;
   IslandRecordsType  m_IslandRecords;

@@ -22,6 +22,8 @@
 #include "itkLabelImageToIndicatorImagesFilter.h"
 #include "itkMergeLabelIslandsImageFilter.h"
 #include "mmmImageRegions.h"
+#include "mmmIntensityCheck.h"
+#include "mmmMeshEstimate.h"
 #include "mmmOutOfMemory.h"
 #include "mmmSizingImage.h"
 
@@ -292,7 +294,7 @@ try
   monitor.BeginStage("merging of islands");
   const TLabelImage * input = this->GetInput();
   auto                counts = mmm::CountLabels(input);
-  this->VerifyLabels(counts);
+  this->VerifyLabels(input, counts);
   this->VerifyRegionOfInterest(input);
   const auto domain = this->MakeDomain(input, counts);
   if (domain != input)
@@ -300,7 +302,8 @@ try
     counts = mmm::CountLabels(domain.GetPointer());
   }
   this->VerifyLabelSizes(counts);
-  const mmm::GridGeometry geometry(domain, domain->GetLargestPossibleRegion());
+  m_MeshedRegion = domain->GetLargestPossibleRegion();
+  const mmm::GridGeometry geometry(domain, m_MeshedRegion);
   auto                    labels = this->MergeIslands(this->MakeGridImage(domain, geometry), monitor);
 
   monitor.BeginStage("indicators");
@@ -335,7 +338,8 @@ catch (const std::bad_alloc &)
 
 template <typename TLabelImage, typename TOutputMesh>
 void
-LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const VoxelCountsType & counts) const
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const TLabelImage *     input,
+                                                                          const VoxelCountsType & counts) const
 {
   if (counts.size() < 2)
   {
@@ -350,6 +354,11 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyLabels(const 
   if (isAllExterior)
   {
     itkExceptionMacro("All labels of the image are exterior: there is nothing to mesh.");
+  }
+  const std::string intensities = mmm::DescribeIntensities(input, counts);
+  if (!intensities.empty())
+  {
+    itkExceptionMacro("The image " << intensities << '.');
   }
 }
 
@@ -437,7 +446,30 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::MakeDomain(const TL
   }
   const auto box =
     mmm::BoxOf(input, [this](PixelType pixel) { return !this->IsExterior(static_cast<LabelType>(pixel)); });
-  return mmm::CopyRegion(input, mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin), air);
+  const auto region = mmm::GrowRegion(box, input->GetSpacing(), m_AirMargin);
+  this->VerifyMemory(region);
+  return mmm::CopyRegion(input, region, air);
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyMemory(const RegionType & region) const
+{
+  // the least that there is at a time: labels twice, sizes, distances and materials
+  constexpr double bytesPerVoxel = 2 * sizeof(typename TLabelImage::PixelType) + 12;
+  double           voxels = 1.0;
+  for (const auto length : region.GetSize())
+  {
+    voxels *= static_cast<double>(length);
+  }
+  const double gigabytes = voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
+  if (gigabytes > m_MaximumMemory)
+  {
+    itkExceptionMacro("With an air margin of " << m_AirMargin << " mm, the image has " << mmm::DescribeCount(voxels)
+                                               << " voxels and takes at least " << gigabytes
+                                               << " GB, more than the limit of " << m_MaximumMemory
+                                               << " GB. A smaller margin helps.");
+  }
 }
 
 template <typename TLabelImage, typename TOutputMesh>
@@ -716,6 +748,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
+  os << indent << "MeshedRegion: " << m_MeshedRegion << std::endl;
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "AbsentExteriorLabels: " << m_AbsentExteriorLabels << std::endl;
   os << indent << "VanishedLabels:";

@@ -26,11 +26,12 @@ namespace mmm
 {
 /** \brief Evens out the particles of 2-cells once it is known how triangles connect them.
  *
- * Repulsion leaves defects that only the connectivity shows. `sweeps` times, edges are flipped so that six triangles meet
- * at most particles, and each particle moves to the centroid of the triangles around it (Lloyd's relaxation), in its
- * tangent plane, and is projected on its cell. Then, with `adapt`, particles are added in the middle of edges longer
- * than 1.45 h and removed from edges shorter than 0.65 h. Only the particles are the result: tetrahedralize again, and
- * Delaunay's triangles will be nearly those that the flips led to. Returns how many particles were added and removed. */
+ * Repulsion leaves defects that only the connectivity shows. `sweeps` times, edges are flipped so that six triangles
+ * meet at most particles, and each particle moves to the centroid of the triangles around it (Lloyd's relaxation), in
+ * its tangent plane, and is projected on its cell. Then, with `adapt`, particles are added in the middle of edges
+ * longer than 1.45 h and removed from edges shorter than 0.65 h. Only the particles are the result: tetrahedralize
+ * again, and Delaunay's triangles will be nearly those that the flips led to. Returns how many particles were added and
+ * removed. */
 MultiMaterialMeshing_EXPORT std::size_t
                             RelaxOnSurface(const IndicatorSet &  indicators,
                                            const SizingField &   sizing,

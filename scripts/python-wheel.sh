@@ -24,6 +24,7 @@
 #   BUILD_DIR       where the wheel is built and tested; default: build/python
 #   CMAKE_BUILD_PARALLEL_LEVEL   compilers at a time; default: as many as there are cores
 #   PYTHON          default: python3, at least 3.11
+#   MULTIMATERIAL_MESH   the command line program, whose meshes the tests compare; without it, they leave that out
 set -euo pipefail
 
 version=5.4.7

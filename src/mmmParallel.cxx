@@ -52,6 +52,15 @@ ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::
     }
     return;
   }
+  // ITK's threader of TBB takes all its threads, however few work units it is to make.
+  if (currentThreader != nullptr && currentThreader->GetNumberOfWorkUnits() == 1)
+  {
+    for (std::size_t range = 0; range < ranges; ++range)
+    {
+      body(range * grain, std::min(count, (range + 1) * grain));
+    }
+    return;
+  }
   std::exception_ptr                    failure;
   itk::SizeValueType                    failedRange = ranges;
   std::mutex                            mutex;

@@ -43,7 +43,7 @@ constexpr int    SweepsPerListing = 4;
 constexpr double Damping = 0.6;
 constexpr double LongestMove = 0.25;
 /** Sweeps after which the population is adapted. */
-constexpr int PopulationSweeps[] = { 4, 8, 12, 16, 20 };
+constexpr int    PopulationSweeps[] = { 4, 8, 12, 16, 20 };
 constexpr double MaximalityTolerance = 1e-2;
 
 class Relaxation
@@ -69,8 +69,8 @@ public:
     this->UpdateAttributes();
     for (int sweep = 0; sweep < m_Parameters.maximumSweeps; ++sweep)
     {
-      const bool populate = std::find(std::begin(PopulationSweeps), std::end(PopulationSweeps), sweep) !=
-                            std::end(PopulationSweeps);
+      const bool populate =
+        std::find(std::begin(PopulationSweeps), std::end(PopulationSweeps), sweep) != std::end(PopulationSweeps);
       if (populate)
       {
         this->ListNeighbours();
@@ -350,9 +350,9 @@ private:
     {
       return;
     }
-    const std::size_t   count = m_Particles.Size();
-    std::vector<float>  energy(count, 0.0f);
-    std::vector<char>   kept(count, 1);
+    const std::size_t  count = m_Particles.Size();
+    std::vector<float> energy(count, 0.0f);
+    std::vector<char>  kept(count, 1);
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {

@@ -168,6 +168,28 @@ TEST(ExteriorFilling, SizesAndRegionStayInPlace)
   EXPECT_GT(sizes->GetPixel({ { -4, -4, -4 } }), 2.0f);
 }
 
+TEST(ExteriorFilling, MeshedRegionIsTheImageOrTheBoxWithItsMargin)
+{
+  // the ball is 12 voxels wide, from 4 to 15
+  const auto image = mmmtest::MakeBall<LabelImage>(20, 6.0);
+  const auto filter = MakeFilter(image);
+  filter->SurfaceOnlyOn();
+  filter->FillExteriorOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetMeshedRegion(), image->GetLargestPossibleRegion());
+  filter->SetAirMargin(6.5);
+  filter->Update();
+  EXPECT_EQ(filter->GetMeshedRegion(), LabelImage::RegionType({ { -3, -3, -3 } }, { { 26, 26, 26 } }));
+}
+
+TEST(ExteriorFilling, ThrowsOnAMarginThatTakesMoreThanTheLimitOfMemory)
+{
+  const auto filter = MakeFilter(mmmtest::MakeBall<LabelImage>(20, 6.0));
+  filter->SetAirMargin(2000.0);
+  filter->SetMaximumMemory(4.0);
+  mmmtest::ExpectException([&] { filter->Update(); }, "With an air margin of 2000 mm, the image has");
+}
+
 TEST(ExteriorFilling, ThrowsOnWhatContradicts)
 {
   const auto image = mmmtest::MakeBall<LabelImage>(12, 4.0);

@@ -559,6 +559,24 @@ TEST(LabelImageToTetrahedralMeshFilter, ThrowsOnASingleValue)
   mmmtest::ExpectException([&] { filter->Update(); }, "The label image has a single value, 7");
 }
 
+TEST(LabelImageToTetrahedralMeshFilter, ThrowsOnAnIntensityImage)
+{
+  const auto filter = MakeFilter(
+    mmmtest::MakeImage<LabelImage>(20, 20, 20, [](int i, int j, int k) { return (97 * i + 31 * j + 57 * k) % 200; }));
+  mmmtest::ExpectException([&] { filter->Update(); },
+                           "The image has 200 values, from 0 to 199, and looks like an intensity image");
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, TakesAnAtlasOfManyLabels)
+{
+  const auto filter = MakeFilter(mmmtest::MakeImage<LabelImage>(
+    20, 20, 20, [](int i, int j, int k) { return 1 + i / 4 + 5 * (j / 4) + 25 * (k / 4); }));
+  filter->SurfaceOnlyOn();
+  filter->SetMinimumSize(2.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetLabels().size(), 125u);
+}
+
 TEST(LabelImageToTetrahedralMeshFilter, ThrowsOnNothingButExterior)
 {
   const auto filter = MakeFilter(mmmtest::MakeBall<LabelImage>(10, 3.0));

@@ -69,7 +69,7 @@ Volumes(const mmm::MeshingResult & result)
 mmm::MeshQualityReport
 Quality(const mmm::MeshingResult & result)
 {
-  const std::vector<int> labels(result.tetrahedra.materials.begin(), result.tetrahedra.materials.end());
+  const std::vector<int>  labels(result.tetrahedra.materials.begin(), result.tetrahedra.materials.end());
   mmm::MeshQualityOptions options;
   options.computeBettiNumbers = true;
   return mmm::ComputeMeshQuality(result.points, result.tetrahedra.tetrahedra, labels, options);
@@ -88,9 +88,9 @@ MakeHalves()
 
 TEST(Mesher, FillsABallWithoutSlivers)
 {
-  const Scene scene(MakeBallMaterials(27, Vector(13.2, 12.9, 13.1), 9.0));
-  const auto  built = Build(scene, 0);
-  const auto  quality = Quality(built.result);
+  const Scene  scene(MakeBallMaterials(27, Vector(13.2, 12.9, 13.1), 9.0));
+  const auto   built = Build(scene, 0);
+  const auto   quality = Quality(built.result);
   const double exact = 4.0 / 3.0 * EIGEN_PI * 729.0;
   // flat triangles with their corners on the sphere lie inside of it: by the chord tolerance, 0.1 voxel, at most
   EXPECT_NEAR(Volumes(built.result).at(1), exact, 0.06 * exact);
@@ -104,14 +104,14 @@ TEST(Mesher, FillsABallWithoutSlivers)
 
 TEST(Mesher, SamplesJunctionsOfThreeMaterials)
 {
-  const Scene scene = MakeHalves();
-  const auto  built = Build(scene, 0);
-  const auto  volumes = Volumes(built.result);
+  const Scene  scene = MakeHalves();
+  const auto   built = Build(scene, 0);
+  const auto   volumes = Volumes(built.result);
   const double exact = 4.0 / 3.0 * EIGEN_PI * 729.0;
   EXPECT_EQ(volumes.size(), 2u);
   EXPECT_NEAR(volumes.at(1) + volumes.at(2), exact, 0.06 * exact);
   // 1-cell particles lie on the circle where all three meet
-  std::size_t onCurve = 0;
+  std::size_t  onCurve = 0;
   const auto & particles = built.result.particles;
   for (std::size_t p = 0; p < particles.Size(); ++p)
   {
@@ -128,8 +128,8 @@ TEST(Mesher, SamplesJunctionsOfThreeMaterials)
 
 TEST(Mesher, ParticlesLieOnTheirCellsToAHundredthOfAVoxel)
 {
-  const Scene scene = MakeHalves();
-  const auto  built = Build(scene, 0);
+  const Scene  scene = MakeHalves();
+  const auto   built = Build(scene, 0);
   const auto & particles = built.result.particles;
   for (std::size_t p = 0; p < particles.Size(); ++p)
   {
@@ -156,7 +156,7 @@ TEST(Mesher, RegionsHaveTheTopologyOfTheirMaterials)
 
 TEST(Mesher, LeavesEnclosedExteriorEmpty)
 {
-  const Scene scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 2, [](const Vector & x) {
+  const Scene  scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 2, [](const Vector & x) {
     const double r = (x - Vector(13.2, 12.9, 13.1)).norm();
     return r < 10.0 && r > 5.0 ? 1 : 0;
   }));
@@ -208,8 +208,8 @@ TEST(Mesher, GivesTheSameMeshTwice)
 TEST(TetGen, PassesOnItsWordsAboutIntersectingFacets)
 {
   // two tetrahedra that pierce each other
-  std::vector<Vector> points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 },
-                              { 1, 1, 1 }, { 5, 1, 1 }, { 1, 5, 1 }, { 1, 1, -3 } };
+  std::vector<Vector>              points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 },
+                                           { 1, 1, 1 }, { 5, 1, 1 }, { 1, 5, 1 }, { 1, 1, -3 } };
   const std::vector<mmm::Triangle> facets{ { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 2, 3 } }, { { 1, 2, 3 } },
                                            { { 4, 5, 6 } }, { { 4, 5, 7 } }, { { 4, 6, 7 } }, { { 5, 6, 7 } } };
   try

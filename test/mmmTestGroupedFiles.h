@@ -193,32 +193,15 @@ struct GroupedDamage
   const char * error;
 };
 
-/** Flips bits of the files and cuts some of them. Anything but an ExceptionObject fails the test. Returns how many of
- * all were rejected. */
+/** How many of the damaged files were rejected, and how many there were. */
 template <typename TIO>
 std::pair<std::size_t, std::size_t>
-DamageAtRandom(const std::vector<std::string> & files, const std::string & name, int trials)
+ReadDamaged(const std::vector<std::string> & files, const std::string & name, std::size_t trials)
 {
-  std::mt19937 random(20240607);
-  std::size_t  rejected = 0;
-  for (const std::string & file : files)
-  {
-    for (int trial = 0; trial < trials; ++trial)
-    {
-      std::string damaged = file;
-      for (std::size_t flips = 1 + random() % 3; flips > 0; --flips)
-      {
-        damaged[random() % damaged.size()] ^= static_cast<char>(1 << (random() % 8));
-      }
-      if (trial % 10 == 0)
-      {
-        damaged.resize(random() % damaged.size());
-      }
-      std::ofstream(name, std::ios::binary) << damaged;
-      rejected += ErrorBy(TIO::New(), name).empty() ? 0 : 1;
-    }
-  }
-  return { rejected, files.size() * trials };
+  return CountRejected(files, trials, [&](const std::string & damaged) {
+    Save(name, damaged);
+    return !ErrorBy(TIO::New(), name).empty();
+  });
 }
 } // namespace mmmGroupedTest
 

@@ -3,11 +3,17 @@
 %pythoncode %{
 def _as_label_image(source):
     """The image, or filter, or an image of itk.SI with the same values if filters are not wrapped for its pixels."""
+    import os
+
     import itk
     import numpy as np
 
     image = itk.output(source)
     if not isinstance(image, (itk.Image, itk.VectorImage)):
+        if isinstance(image, (str, os.PathLike)):
+            raise TypeError(f"A label image is needed, not the name of a file; itk.imread('{image}') reads one.")
+        if isinstance(image, itk.LightObject):
+            raise TypeError(f"A label image is needed, not an object of {type(image).__name__}.")
         return source
     pixel, dimension = itk.template(image)[1]
     if dimension != 3:

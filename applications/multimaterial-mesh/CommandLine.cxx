@@ -156,6 +156,12 @@ CheckFileName(const Option & option, const std::string & text)
   {
     throw UsageError(NameOf(option) + " is empty; it has to be a file name");
   }
+  // The parser takes what follows an option that needs a value, whatever it is.
+  if (text.front() == '-')
+  {
+    throw UsageError(NameOf(option) + " is '" + text + "', which looks like an option; a file of that name is ./" +
+                     text);
+  }
 }
 
 /** Adds an option to the parser, by the type of the member of Settings that it fills. */
@@ -209,8 +215,8 @@ public:
   operator()(std::string Settings::* field) const
   {
     this->AddText([this_ = *this, field](const std::string & text) {
-      CheckFileName(this_.m_Option, text);
       CheckChoice(this_.m_Option, text);
+      CheckFileName(this_.m_Option, text);
       this_.m_Settings.*field = text;
     });
   }

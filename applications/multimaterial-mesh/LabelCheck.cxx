@@ -18,38 +18,13 @@
 #include "LabelCheck.h"
 
 #include "Errors.h"
+#include "mmmIntensityCheck.h"
 
 #include <algorithm>
 #include <sstream>
 
 namespace cli
 {
-namespace
-{
-/** No atlas in use has so many labels. */
-constexpr std::size_t MaximumLabels = 1000;
-/** Fewer values than these are a label image, however noisy. */
-constexpr std::size_t MinimumIntensities = 33;
-/** Half of the neighbours on a row differ in an intensity image; one in ten do in a fine atlas. */
-constexpr double MaximumChangeRate = 0.5;
-
-/** The fraction of neighbours that differ, those in the background left out. */
-double
-ChangeRate(const LabelImage & image, int background)
-{
-  const int * const values = image.GetBufferPointer();
-  const std::size_t count = image.GetBufferedRegion().GetNumberOfPixels();
-  std::size_t       pairs = 0;
-  std::size_t       changes = 0;
-  for (std::size_t v = 1; v < count; ++v)
-  {
-    pairs += values[v] != background || values[v - 1] != background;
-    changes += values[v] != values[v - 1];
-  }
-  return pairs > 0 ? double(changes) / double(pairs) : 0.0;
-}
-} // namespace
-
 mmm::LabelCounts
 CheckLabels(const std::string & fileName, const LabelImage & image)
 {
@@ -61,20 +36,27 @@ CheckLabels(const std::string & fileName, const LabelImage & image)
             << "; a label image needs at least two labels";
     throw Error(message.str());
   }
-  if (counts.size() >= MinimumIntensities)
+  const std::string intensities = mmm::DescribeIntensities(&image, counts);
+  if (!intensities.empty())
   {
-    const auto background = std::max_element(
-      counts.begin(), counts.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
-    if (counts.size() > MaximumLabels || ChangeRate(image, background->first) > MaximumChangeRate)
-    {
-      std::ostringstream message;
-      message << fileName << ": the image has " << counts.size() << " values, from " << counts.begin()->first << " to "
-              << counts.rbegin()->first
-              << ", and looks like an intensity image; segment it first, or map its values to at most " << MaximumLabels
-              << " labels";
-      throw Error(message.str());
-    }
+    throw Error(fileName + ": the image " + intensities);
   }
   return counts;
+}
+
+std::optional<int>
+LabelOfAir(const Settings & settings, const mmm::LabelCounts & voxels)
+{
+  if (!settings.IsFilled())
+  {
+    return std::nullopt;
+  }
+  const auto isThere = [&](int label) { return voxels.count(label) != 0; };
+  const auto first = std::find_if(settings.exterior.begin(), settings.exterior.end(), isThere);
+  if (first != settings.exterior.end())
+  {
+    return *first;
+  }
+  return settings.airMargin > 0.0 ? std::optional<int>(settings.exterior.front()) : std::nullopt;
 }
 } // namespace cli

@@ -19,8 +19,10 @@
 #define LabelCheck_h
 
 #include "ImageInput.h"
+#include "Settings.h"
 #include "mmmLabels.h"
 
+#include <optional>
 #include <string>
 
 namespace cli
@@ -31,6 +33,10 @@ namespace cli
  * to voxel. */
 mmm::LabelCounts
 CheckLabels(const std::string & fileName, const LabelImage & image);
+
+/** \brief The label of the exterior where it is meshed; none if it is not, or if there is none to mesh. */
+std::optional<int>
+LabelOfAir(const Settings & settings, const mmm::LabelCounts & voxels);
 } // namespace cli
 
 #endif

@@ -22,6 +22,7 @@
 
 #include "Errors.h"
 #include "GroupedMesh.h"
+#include "LabelCheck.h"
 #include "Settings.h"
 #include "TriangleOutput.h"
 #include "itkGmshMeshIO.h"
@@ -163,14 +164,23 @@ CheckLabelsFit(const Settings & settings, const mmm::LabelCounts & voxels)
   {
     return;
   }
-  for (const auto & entry : voxels)
-  {
-    const int label = entry.first;
-    if (settings.IsMeshed(label) && (label < 1 || label > 999))
+  const auto check = [](int label, const std::string & advice) {
+    if (label < 1 || label > 999)
     {
       throw Error("--msh-format simnibs: SimNIBS numbers tissues from 1 to 999, and label " + std::to_string(label) +
-                  " is to be meshed; list it in --exterior, give it another number, or take another format");
+                  advice + ", or take another format");
     }
+  };
+  for (const auto & entry : voxels)
+  {
+    if (!settings.IsExterior(entry.first))
+    {
+      check(entry.first, " is to be meshed; list it in --exterior, give it another number");
+    }
+  }
+  if (const auto air = LabelOfAir(settings, voxels))
+  {
+    check(*air, " is that of the air; leave out --fill-exterior and --air-margin, give it another number");
   }
 }
 } // namespace cli

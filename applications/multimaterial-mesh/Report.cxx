@@ -84,7 +84,7 @@ ParameterSection(const Settings & settings)
   const auto file = [](const std::string & name) { return name.empty() ? Json(nullptr) : Json(name); };
   Json       section;
   section["exterior"] = settings.exterior;
-  section["fill_exterior"] = settings.fillExterior || settings.airMargin;
+  section["fill_exterior"] = settings.IsFilled();
   section["air_margin_mm"] = length(settings.airMargin);
   section["min_island_voxels"] = settings.minIsland;
   section["surface_only"] = settings.surfaceOnly;
@@ -287,12 +287,12 @@ ToJson(const mmm::TetrahedronStatistics & statistics)
   return section;
 }
 
-/** Whether a corner of a tetrahedron lies on a face of the image's box, where all is cut off flat. */
+/** Whether a corner of a tetrahedron lies on a face of the box that is meshed, where all is cut off flat. */
 bool
-IsOnImageBorder(const Outcome & outcome, std::size_t tetrahedron)
+IsOnBorder(const Outcome & outcome, std::size_t tetrahedron)
 {
   constexpr double tolerance = 1e-6;
-  const auto &     region = outcome.labels->GetLargestPossibleRegion();
+  const auto &     region = outcome.filter->GetMeshedRegion();
   const auto &     points = outcome.tetrahedra->GetPoints()->CastToSTLConstContainer();
   auto * const     cell = outcome.tetrahedra->GetCells()->GetElement(tetrahedron);
   return std::any_of(cell->PointIdsBegin(), cell->PointIdsEnd(), [&](auto p) {
@@ -320,7 +320,7 @@ ToJson(const Outcome & outcome, const mmm::PoorTetrahedron & tetrahedron)
            { "label", tetrahedron.label },
            { "neighbor_labels", tetrahedron.neighborLabels },
            { "place", mmm::ToString(tetrahedron.GetPlace()) },
-           { "on_image_border", IsOnImageBorder(outcome, tetrahedron.index) },
+           { "on_image_border", IsOnBorder(outcome, tetrahedron.index) },
            { "boundary_corners", tetrahedron.boundaryCorners },
            { "boundary_faces", tetrahedron.boundaryFaces },
            { "center_mm", Triple(tetrahedron.center) },

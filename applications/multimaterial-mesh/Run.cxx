@@ -45,42 +45,83 @@ IndicatorName(const Settings & settings, int label)
   return settings.indicatorPrefix + std::to_string(label) + ".nrrd";
 }
 
+/** A file and the option that it stands for. */
+using NamedFile = std::pair<std::string, std::string>;
+
+void
+AddFile(std::vector<NamedFile> & files, const std::string & option, const std::string & name)
+{
+  if (!name.empty())
+  {
+    files.emplace_back(option, name);
+  }
+}
+
+std::vector<NamedFile>
+InputFiles(const Settings & settings)
+{
+  std::vector<NamedFile> files;
+  AddFile(files, "LABELS", settings.labels);
+  for (const std::string & indicator : settings.indicators)
+  {
+    AddFile(files, "--indicators", indicator);
+  }
+  AddFile(files, "--sizing-image", settings.sizingImage);
+  AddFile(files, "--roi", settings.roi);
+  return files;
+}
+
+/** Those that are not named by label. */
+std::vector<NamedFile>
+OutputFiles(const Settings & settings)
+{
+  std::vector<NamedFile> files;
+  AddFile(files, "OUTPUT", settings.output);
+  AddFile(files, "--surface", settings.surface);
+  AddFile(files, "--particles", settings.particles);
+  AddFile(files, "--junctions", settings.junctions);
+  AddFile(files, "--report", settings.report);
+  AddFile(files, "--save-sizing", settings.sizingFile);
+  return files;
+}
+
+/** The outputs that are named by a prefix and label 0. */
+std::vector<NamedFile>
+OutputFilesForZero(const Settings & settings)
+{
+  std::vector<NamedFile> files;
+  if (!settings.indicatorPrefix.empty())
+  {
+    AddFile(files, "--save-indicators", IndicatorName(settings, 0));
+  }
+  if (!settings.surfacePrefix.empty())
+  {
+    AddFile(files, "--surface-per-label", NameForLabel(settings.surfacePrefix, 0));
+  }
+  return files;
+}
+
+std::vector<NamedFile>
+Joined(std::vector<NamedFile> files, const std::vector<NamedFile> & others)
+{
+  files.insert(files.end(), others.begin(), others.end());
+  return files;
+}
+
 /** Hours of work shall not be lost to a misspelled folder. */
 void
 CheckOutputs(const Settings & settings)
 {
-  using Name = std::pair<std::string, std::string>;
-  std::vector<Name> outputs{ { "OUTPUT", settings.output },         { "--surface", settings.surface },
-                             { "--particles", settings.particles }, { "--junctions", settings.junctions },
-                             { "--report", settings.report },       { "--save-sizing", settings.sizingFile } };
-  if (!settings.indicatorPrefix.empty())
-  {
-    outputs.emplace_back("--save-indicators", IndicatorName(settings, 0));
-  }
-  if (!settings.surfacePrefix.empty())
-  {
-    outputs.emplace_back("--surface-per-label", NameForLabel(settings.surfacePrefix, 0));
-  }
   if (!settings.sizingFile.empty())
   {
     CheckImageName("--save-sizing", settings.sizingFile);
   }
-  std::vector<Name> others{ { "LABELS", settings.labels },
-                            { "--sizing-image", settings.sizingImage },
-                            { "--roi", settings.roi } };
-  for (const std::string & indicator : settings.indicators)
+  auto others = InputFiles(settings);
+  for (const NamedFile & output : Joined(OutputFiles(settings), OutputFilesForZero(settings)))
   {
-    others.emplace_back("--indicators", indicator);
-  }
-  for (const Name & output : outputs)
-  {
-    if (output.second.empty())
+    for (const NamedFile & other : others)
     {
-      continue;
-    }
-    for (const Name & other : others)
-    {
-      if (!other.second.empty() && IsSameFile(output.second, other.second))
+      if (IsSameFile(output.second, other.second))
       {
         throw UsageError(other.first + " and " + output.first + " are the same file, " + output.second);
       }
@@ -107,28 +148,20 @@ IsNameForLabel(const std::string & name, const std::string & prefix, const std::
 void
 CheckPrefixes(const Settings & settings)
 {
-  const auto check = [&](const std::string & option, const std::string & forZero, const std::string & prefix) {
-    if (prefix.empty())
+  const auto others = Joined(InputFiles(settings), OutputFiles(settings));
+  for (const auto & [option, forZero] : OutputFilesForZero(settings))
+  {
+    const auto stem = forZero.substr(0, forZero.rfind("0."));
+    const auto suffix = forZero.substr(stem.size() + 1);
+    for (const NamedFile & other : others)
     {
-      return;
-    }
-    const auto               stem = forZero.substr(0, forZero.rfind("0."));
-    const auto               suffix = forZero.substr(stem.size() + 1);
-    std::vector<std::string> others{ settings.labels,    settings.sizingImage, settings.roi,
-                                     settings.output,    settings.surface,     settings.particles,
-                                     settings.junctions, settings.report,      settings.sizingFile };
-    others.insert(others.end(), settings.indicators.begin(), settings.indicators.end());
-    for (const auto & other : others)
-    {
-      if (IsNameForLabel(other, stem, suffix))
+      if (IsNameForLabel(other.second, stem, suffix))
       {
-        throw UsageError(option + " " + prefix + " could write to " + other +
-                         ", which is the name of another file; choose another prefix");
+        throw UsageError(option + " could write to " + other.second + ", which is the file of " + other.first +
+                         "; choose another prefix");
       }
     }
-  };
-  check("--save-indicators", IndicatorName(settings, 0), settings.indicatorPrefix);
-  check("--surface-per-label", NameForLabel(settings.surfacePrefix, 0), settings.surfacePrefix);
+  }
 }
 
 /** Fills in the lengths that follow from the image, so that they can be reported. */

@@ -81,9 +81,15 @@ struct Settings
   bool                         slicerProgress{ false };
 
   bool
-  IsMeshed(int label) const
+  IsExterior(int label) const
   {
-    return fillExterior || airMargin || std::find(exterior.begin(), exterior.end(), label) == exterior.end();
+    return std::find(exterior.begin(), exterior.end(), label) != exterior.end();
+  }
+
+  bool
+  IsFilled() const
+  {
+    return fillExterior || airMargin;
   }
 };
 } // namespace cli

@@ -97,7 +97,7 @@ CheckSettings(const Settings & settings)
     throw UsageError("--sizing-mode replace needs --sizing-image");
   }
   CheckRegion(settings);
-  if ((settings.fillExterior || settings.airMargin) && settings.exterior.empty())
+  if (settings.IsFilled() && settings.exterior.empty())
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");
   }

@@ -44,6 +44,7 @@ constexpr GroupDescription Groups[] = {
   { "Output", "What is written" },
   { "Smoothing", "How the interfaces between labels are smoothed" },
   { "Sizing", "How long edges are" },
+  { "Quality", "How good tetrahedra have to be, and how good they are" },
   { "Advanced", "How the program runs" },
 };
 

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "Summary.h"
 
+#include "LabelCheck.h"
 #include "Warnings.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ std::size_t
 CountMeshedLabels(const Outcome & outcome)
 {
   const auto & labels = outcome.filter->GetLabels();
-  const auto   isMeshed = [&](int label) { return outcome.settings.IsMeshed(label); };
+  const auto & settings = outcome.settings;
+  const auto   isMeshed = [&](int label) { return settings.IsFilled() || !settings.IsExterior(label); };
   return std::count_if(labels.begin(), labels.end(), isMeshed) - outcome.filter->GetVanishedLabels().size();
 }
 } // namespace
@@ -71,16 +73,18 @@ PrintSummary(std::ostream & os, const Outcome & outcome)
 void
 WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
 {
+  const auto air = LabelOfAir(settings, voxels);
   for (const int label : settings.exterior)
   {
-    if (voxels.count(label) == 0)
+    if (voxels.count(label) == 0 && label != air)
     {
       std::ostringstream text;
       text << "no voxel has the exterior label " << label;
       // Whoever does not say what is exterior may not know that nothing is.
       if (!settings.exteriorIsListed)
       {
-        text << ", so everything is meshed; choose by --exterior";
+        text << (settings.IsFilled() ? ", so there is no air" : ", so everything is meshed")
+             << "; choose by --exterior";
       }
       Warn(text.str());
     }

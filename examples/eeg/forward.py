@@ -59,7 +59,8 @@ def solve(grid, conductivities, position, moment):
     def free_gradient(x):
         """The gradient of the potential in an unbounded conductor, times the conductivity there."""
         r = x - position.reshape(3, *[1] * (x.ndim - 1))
-        distance = np.sqrt(np.sum(r**2, axis=0))
+        # the dipole may be where the integrand is asked for; there it does not count, as the conductivity is the source's
+        distance = np.maximum(np.sqrt(np.sum(r**2, axis=0)), 1e-9)
         along = np.einsum("i,i...->...", moment, r)
         direction = moment.reshape(3, *[1] * (x.ndim - 1))
         return (direction / distance**3 - 3 * along * r / distance**5) / (4 * np.pi)

@@ -124,4 +124,5 @@ if __name__ == "__main__":
     except KeyboardInterrupt:
         sys.exit(130)
     except (RuntimeError, TypeError, ValueError) as error:
-        sys.exit(f"mesh_labels.py: {error}")
+        # ITK says first where that was
+        sys.exit("mesh_labels.py: " + str(error).split("ITK ERROR: ")[-1])

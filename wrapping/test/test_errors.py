@@ -66,6 +66,36 @@ def test_wrong_dimension(dimension):
         mesh(image)
 
 
+def test_series_from_a_file(tmp_path):
+    file = tmp_path / "series.nii.gz"
+    itk.imwrite(itk.image_from_array(np.zeros((4, 5, 6, 7), np.int16)), file)
+    with pytest.raises(TypeError, match="has 4 dimensions; a three-dimensional label image is needed"):
+        mesh(itk.imread(file))
+
+
+@pytest.mark.parametrize("dtype", [np.int16, np.uint16, np.float32])
+def test_t1_image_of_whole_numbers(tmp_path, dtype):
+    file = tmp_path / "t1.nii.gz"
+    values = np.random.default_rng(1).integers(0, 900, (20, 20, 20)).astype(dtype)
+    itk.imwrite(itk.image_from_array(values), file)
+    with pytest.raises(RuntimeError, match="values, from 0 to 899, and looks like an intensity image; segment it"):
+        mesh(itk.imread(file))
+
+
+def test_mesh_in_place_of_an_image(meshed, tmp_path):
+    with pytest.raises(TypeError, match="A label image is needed, not an object of itkMesh"):
+        mesh(meshed.GetOutput())
+    file = tmp_path / "mesh.vtu"
+    itk.meshwrite(meshed.GetOutput(), file)
+    with pytest.raises(RuntimeError, match="Could not create IO object for reading file"):
+        itk.imread(file)
+
+
+def test_name_in_place_of_an_image():
+    with pytest.raises(TypeError, match=r"not the name of a file; itk.imread\('labels.nrrd'\) reads one"):
+        mesh("labels.nrrd")
+
+
 def test_vectors():
     image = itk.image_from_array(np.zeros((4, 4, 4, 3), np.uint8), is_vector=True)
     with pytest.raises(TypeError, match="several components"):

@@ -22,7 +22,7 @@ import gc
 import itk
 import numpy as np
 import pytest
-from conftest import cells_of, labels_of, make_spheres, points_of
+from conftest import cells_of, labels_of, make_spheres, points_of, volumes_of
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.int16, np.uint16, np.int32, np.uint32, np.float32, np.float64])
@@ -245,8 +245,56 @@ def test_expected_size_and_limit(spheres, meshed):
 
 
 def test_exterior_is_filled(spheres):
-    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, air_margin=3.0)
-    assert 0 in set(labels_of(mesh))
+    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, fill_exterior=True)
+    assert volumes_of(mesh).sum() == pytest.approx(itk.array_view_from_image(spheres).size * 8.0)
+    mesher = itk.LabelImageToTetrahedralMeshFilter.New(spheres, air_margin=3.0)
+    mesher.Update()
+    assert 0 in set(labels_of(mesher.GetOutput()))
+    size = mesher.GetMeshedRegion().GetSize()
+    assert volumes_of(mesher.GetOutput()).sum() == pytest.approx(np.prod([int(n) for n in size]) * 8.0)
+
+
+def test_largest_volume(spheres, meshed):
+    largest = volumes_of(meshed.GetOutput()).max()
+    mesh, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, maximum_volume=0.5 * largest)
+    assert volumes_of(mesh).max() <= 0.5 * largest
+
+
+def test_sizing_image_replaces(spheres, meshed):
+    sizes = itk.image_from_array(np.full((24, 22, 20), 5.0, np.float32))
+    sizes.CopyInformation(spheres)
+    coarse, *_ = itk.label_image_to_tetrahedral_mesh_filter(spheres, sizing_image=sizes, sizing_image_replaces=True)
+    assert 0 < coarse.GetNumberOfCells() < meshed.GetOutput().GetNumberOfCells()
+
+
+SETTINGS = {
+    "air_margin": 2.0,
+    "chord_tolerance": 0.3,
+    "epsilon": 2.0,
+    "exterior_labels": (0, 2),
+    "fill_exterior": True,
+    "gradient_limit": 0.4,
+    "keep_intermediates": True,
+    "maximum_memory": 4.0,
+    "maximum_number_of_tetrahedra": 1000,
+    "maximum_size": 9.0,
+    "maximum_volume": 30.0,
+    "minimum_island_size": 5,
+    "minimum_size": 3.0,
+    "radius": 0.7,
+    "region_maximum_size": 6.0,
+    "region_minimum_size": 4.0,
+    "seed": 7,
+    "sizing_image_replaces": True,
+    "surface_only": True,
+}
+
+
+@pytest.mark.parametrize("name", SETTINGS)
+def test_every_setting_is_kept(spheres, name):
+    value = SETTINGS[name]
+    mesher = itk.LabelImageToTetrahedralMeshFilter.New(spheres, **{name: value})
+    assert getattr(mesher, "Get" + name.title().replace("_", ""))() == value
 
 
 def test_takes_probability_maps():
@@ -282,3 +330,23 @@ def test_optimizes_meshes(meshed):
         calculator.Compute()
         worst.append(calculator.GetMinimumDihedralAngle())
     assert worst[1] >= worst[0] - 1e-9
+
+
+def test_optimizes_meshes_by_a_function(meshed):
+    mesh = meshed.GetOutput()
+    optimized = itk.optimize_tetrahedral_mesh_filter(
+        mesh, tolerance=0.2, feature_angle=50.0, maximum_number_of_rounds=1
+    )
+    assert volumes_of(optimized).sum() == pytest.approx(volumes_of(mesh).sum(), rel=0.01)
+    with pytest.raises(RuntimeError, match="Tolerance is -1; it has to be positive"):
+        itk.optimize_tetrahedral_mesh_filter(mesh, tolerance=-1.0)
+
+
+def test_exterior_of_probability_maps_is_filled():
+    z, y, x = np.mgrid[:16, :16, :16]
+    ball = 1 / (1 + np.exp(2 * (np.sqrt((x - 7.5) ** 2 + (y - 7.5) ** 2 + (z - 7.5) ** 2) - 5.0)))
+    mesh, *_ = itk.indicator_images_to_tetrahedral_mesh_filter(
+        itk.image_from_array(ball.astype(np.float32)), fill_exterior=True, maximum_size=3.0
+    )
+    assert set(labels_of(mesh)) == {0, 1}
+    assert volumes_of(mesh).sum() == pytest.approx(16.0**3)

@@ -42,6 +42,14 @@ class SignalAfter:
         self.process.wait()
 
 
+@pytest.fixture(autouse=True)
+def handler():
+    """Programs that a shell starts in the background ignore the signal."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.fixture(scope="module")
 def large():
     """Labels that take long enough to be interrupted."""

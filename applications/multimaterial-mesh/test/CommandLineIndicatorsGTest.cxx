@@ -160,6 +160,13 @@ TEST_F(CommandLineIndicators, NeedAnOutput)
   this->ExpectError({ "--indicators", this->WriteCore(), this->WriteShell() }, 2, "meshes are written as .vtu");
 }
 
+TEST_F(CommandLineIndicators, AreNotTheOptionThatFollows)
+{
+  this->ExpectError({ "--indicators", "--seed", "1", this->Path("out.vtu") },
+                    2,
+                    "--indicators is '--seed', which looks like an option; a file of that name is ./--seed");
+}
+
 TEST_F(CommandLineIndicators, AreNotSmoothed)
 {
   this->ExpectError(

@@ -144,6 +144,26 @@ TEST_F(CommandLineOutput, AbsentDefaultExteriorWarns)
   EXPECT_EQ(this->CountLabels("out.vtu").size(), 3u);
 }
 
+TEST_F(CommandLineOutput, ExteriorThatAirAddsIsNotAbsent)
+{
+  const auto image = MakeBalls();
+  std::replace(image->GetBufferPointer(), image->GetBufferPointer() + 16 * 16 * 16, 0, 1);
+  const auto labels = this->WriteImage<LabelImage>(image, "one.nrrd");
+  const auto error = [&](const std::vector<std::string> & options) {
+    std::vector<std::string> arguments{ labels, this->Path("out.vtu"), "--quiet" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto result = Run(arguments);
+    EXPECT_EQ(result.exitCode, 0);
+    return result.error;
+  };
+  EXPECT_EQ(error({ "--air-margin", "2" }), "");
+  EXPECT_EQ(this->CountLabels("out.vtu").count(0), 1u);
+  EXPECT_NE(error({ "--air-margin", "0" }).find("no voxel has the exterior label 0, so there is no air"),
+            std::string::npos);
+  EXPECT_NE(error({ "--fill-exterior" }).find("no voxel has the exterior label 0, so there is no air"),
+            std::string::npos);
+}
+
 TEST_F(CommandLineOutput, QuietIsQuiet) { EXPECT_EQ(this->Mesh({ "--quiet" }).output, ""); }
 
 TEST_F(CommandLineOutput, StagesAndSummaryArePlainLines)

@@ -18,10 +18,14 @@
 // Sizes, limits and air from the command line.
 #include "CommandLineTest.h"
 
+#include "itkImageRegionIteratorWithIndex.h"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
+#include <random>
 
 namespace
 {
@@ -122,6 +126,45 @@ TEST_F(CommandLineSizing, ExteriorIsFilled)
   const auto report = this->Report({ "--fill-exterior" });
   EXPECT_NEAR(report["quality"]["overall"]["volume_mm3"].get<double>(), 4096.0, 1e-6);
   EXPECT_EQ(report["quality"]["labels"].size(), 3u);
+}
+
+TEST_F(CommandLineSizing, BorderInTheReportIsThatOfTheMeshedBox)
+{
+  // noise, of which some tetrahedra are poor, far from the border of the image
+  const auto   image = MakeImage<short>(itk::Size<3>{ { 16, 16, 16 } });
+  std::mt19937 random(1);
+  for (itk::ImageRegionIteratorWithIndex<LabelImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto & index = it.GetIndex();
+    const bool   isInside = std::all_of(index.begin(), index.end(), [](auto i) { return i >= 4 && i < 12; });
+    it.Set(isInside ? short(1 + random() % 4) : short(0));
+  }
+  const auto labels = this->WriteImage<LabelImage>(image, "noise.nrrd");
+  for (const char * const margin : { "0", "3" })
+  {
+    const auto result = Run({ labels,
+                              this->Path("out.vtu"),
+                              "--air-margin",
+                              margin,
+                              "--min-island",
+                              "0",
+                              "--report",
+                              this->Path("report.json"),
+                              "--quiet" });
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    const auto   report = nlohmann::json::parse(this->Contents("report.json"));
+    const auto & worst = report["quality"]["worst_tetrahedra"];
+    const auto   count = std::count_if(worst.begin(), worst.end(), [](const auto & tetrahedron) {
+      return tetrahedron["on_image_border"].template get<bool>();
+    });
+    EXPECT_EQ(count > 0, std::string(margin) == "0") << worst.size();
+  }
+}
+
+TEST_F(CommandLineSizing, MarginBeyondTheLimitOfMemoryIsRefused)
+{
+  this->ExpectFailure(
+    { "--air-margin", "5000", "--max-memory", "8" }, 1, "With an air margin of 5000 mm, the image has");
 }
 
 TEST_F(CommandLineSizing, ExteriorThatIsNotThereCannotBeFilled)

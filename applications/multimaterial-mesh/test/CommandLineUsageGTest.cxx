@@ -20,6 +20,7 @@
 
 #include "OptionTable.h"
 
+#include <algorithm>
 #include <fstream>
 
 namespace
@@ -108,10 +109,41 @@ TEST_F(CommandLineUsage, LabelsThatSimNIBSHasNot)
     { labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" }, 1, "label 1000 is to be meshed");
 }
 
+TEST_F(CommandLineUsage, AirThatSimNIBSHasNot)
+{
+  const auto image = MakeBalls();
+  std::replace(image->GetBufferPointer(), image->GetBufferPointer() + 16 * 16 * 16, 0, 1);
+  const auto full = this->WriteImage<LabelImage>(image, "full.nrrd");
+  const auto run = [&](const std::string & labels, const std::vector<std::string> & options) {
+    std::vector<std::string> arguments{ labels, this->Path("out.msh"), "--msh-format", "simnibs", "--quiet" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    this->ExpectError(arguments, 1, "label 0 is that of the air; leave out --fill-exterior and --air-margin");
+  };
+  run(this->WriteBalls(), { "--fill-exterior" });
+  run(full, { "--air-margin", "2" });
+}
+
+TEST_F(CommandLineUsage, OptionInPlaceOfAFileName)
+{
+  this->ExpectUsageError({ "--report", "--quiet" }, "--report is '--quiet', which looks like an option");
+}
+
 TEST_F(CommandLineUsage, OneFileForTwoPurposes)
 {
   this->ExpectUsageError({ "--surface", this->Path("./out.vtu") }, "are the same file");
   this->ExpectUsageError({ "--save-sizing", this->Path("labels.nrrd") }, "are the same file");
+}
+
+TEST_F(CommandLineUsage, PrefixOfAnotherFile)
+{
+  const auto prefix = this->Path("part");
+  this->ExpectUsageError({ "--save-indicators", prefix, "--save-sizing", prefix + "-3.nrrd" },
+                         "--save-indicators could write to " + prefix +
+                           "-3.nrrd, which is the file of --save-sizing; choose another prefix");
+  this->ExpectUsageError({ "--surface-per-label", prefix + ".vtu", "--particles", prefix + "12.vtu" },
+                         "which is the file of --particles");
+  this->ExpectUsageError({ "--save-indicators", prefix, "--roi", prefix + "5.nrrd", "--roi-max-size", "2" },
+                         "which is the file of --roi");
 }
 
 TEST_F(CommandLineUsage, SurfaceTwice)

@@ -80,8 +80,8 @@ def main(program):
     logging.getLogger("ctk_cli").addHandler(complaints)
     module = ctk_cli.CLIModule(program)
     assert not complaints.texts, complaints.texts
-    assert [group.label for group in module] == ["Input", "Output", "Smoothing", "Sizing", "Advanced"]
-    assert [group.advanced for group in module] == [False, False, False, False, True]
+    assert [group.label for group in module] == ["Input", "Output", "Smoothing", "Sizing", "Quality", "Advanced"]
+    assert [group.advanced for group in module] == [False, False, False, False, False, True]
 
     with tempfile.TemporaryDirectory() as folder:
         files = {
