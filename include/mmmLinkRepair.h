@@ -39,13 +39,21 @@ struct LinkDefects
 MultiMaterialMeshing_EXPORT LinkDefects
 FindLinkDefects(const TetrahedralMesh & mesh, std::size_t numberOfPoints, Material outside);
 
+struct LinkRepairReport
+{
+  LinkDefects found;
+  LinkDefects left;
+  /** Tetrahedra that changed. */
+  std::size_t relabelled{ 0 };
+};
+
 /** Gives tetrahedra at defects to another material around them, as long as that leaves fewer defects: of several ways
- * the one that disagrees least with the indicators. Returns the number of tetrahedra that changed. */
-MultiMaterialMeshing_EXPORT std::size_t
-                            RepairLinks(const IndicatorSet &        indicators,
-                                        const std::vector<Vector> & points,
-                                        Material                    outside,
-                                        TetrahedralMesh &           mesh);
+ * the one that disagrees least with the indicators. No material is lost. */
+MultiMaterialMeshing_EXPORT LinkRepairReport
+RepairLinks(const IndicatorSet &        indicators,
+            const std::vector<Vector> & points,
+            Material                    outside,
+            TetrahedralMesh &           mesh);
 } // namespace mmm
 
 #endif

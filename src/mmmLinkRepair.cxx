@@ -23,6 +23,7 @@
 #include "mmmTetrahedronSupport.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mmm
 {
@@ -34,30 +35,37 @@ constexpr int Passes = 5;
 
 using Neighbours = std::vector<std::array<std::uint32_t, 4>>;
 
-LinkDefects
-FindDefects(const TetrahedralMesh & mesh,
-            const Neighbours &      neighbours,
-            const Incidence &       stars,
-            std::size_t             numberOfPoints,
-            Material                outside)
+template <typename T>
+void
+MakeUnique(std::vector<T> & items)
 {
-  std::vector<LinkDefects> parts((numberOfPoints + PointsPerRange - 1) / PointsPerRange);
-  ParallelFor(numberOfPoints, PointsPerRange, [&](std::size_t begin, std::size_t end) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+/** Inspects some points, and the edges at them. */
+LinkDefects
+FindDefects(const TetrahedralMesh &      mesh,
+            const Neighbours &           neighbours,
+            const Incidence &            stars,
+            Material                     outside,
+            const std::vector<PointId> & points)
+{
+  std::vector<LinkDefects> parts((points.size() + PointsPerRange - 1) / PointsPerRange);
+  ParallelFor(points.size(), PointsPerRange, [&](std::size_t begin, std::size_t end) {
     LinkInspector inspector(mesh, neighbours, stars, outside);
     LinkDefects & defects = parts[begin / PointsPerRange];
-    for (std::size_t p = begin; p < end; ++p)
+    for (std::size_t n = begin; n < end; ++n)
     {
-      inspector.Inspect(PointId(p));
+      const PointId p = points[n];
+      inspector.Inspect(p);
       if (inspector.IsDefect())
       {
-        defects.points.push_back(PointId(p));
+        defects.points.push_back(p);
       }
       for (const PointId q : inspector.DefectEdges())
       {
-        if (q > p)
-        {
-          defects.edges.push_back({ { PointId(p), q } });
-        }
+        defects.edges.push_back({ { std::min(p, q), std::max(p, q) } });
       }
     }
   });
@@ -67,7 +75,29 @@ FindDefects(const TetrahedralMesh & mesh,
     defects.points.insert(defects.points.end(), part.points.begin(), part.points.end());
     defects.edges.insert(defects.edges.end(), part.edges.begin(), part.edges.end());
   }
+  MakeUnique(defects.edges);
   return defects;
+}
+
+std::vector<PointId>
+AllPoints(std::size_t count)
+{
+  std::vector<PointId> points(count);
+  std::iota(points.begin(), points.end(), 0);
+  return points;
+}
+
+/** The points that are defects or ends of edges that are. */
+std::vector<PointId>
+PointsOf(const LinkDefects & defects)
+{
+  std::vector<PointId> points = defects.points;
+  for (const auto & edge : defects.edges)
+  {
+    points.insert(points.end(), edge.begin(), edge.end());
+  }
+  MakeUnique(points);
+  return points;
 }
 
 class LinkRepairer
@@ -94,35 +124,40 @@ public:
     }
   }
 
-  std::size_t
+  LinkRepairReport
   Repair()
   {
-    std::size_t total = 0;
+    LinkRepairReport report;
+    report.found = this->FindDefectsAt(AllPoints(m_Points.size()));
+    report.left = report.found;
     for (int pass = 0; pass < Passes; ++pass)
     {
-      std::size_t          changed = 0;
-      const LinkDefects    defects = FindDefects(m_Mesh, m_Neighbours, m_Stars, m_Points.size(), m_Outside);
-      std::vector<PointId> points = defects.points;
-      for (const auto & edge : defects.edges)
-      {
-        points.insert(points.end(), edge.begin(), edge.end());
-      }
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
+      std::vector<PointId> points = PointsOf(report.left);
+      m_Touched = points;
+      std::size_t changed = 0;
       for (const PointId p : points)
       {
         changed += this->RepairAt(p, pass > 0);
       }
-      total += changed;
+      // nothing has changed elsewhere
+      MakeUnique(m_Touched);
+      report.left = this->FindDefectsAt(m_Touched);
+      report.relabelled += changed;
       if (changed == 0)
       {
         break;
       }
     }
-    return total;
+    return report;
   }
 
 private:
+  LinkDefects
+  FindDefectsAt(const std::vector<PointId> & points) const
+  {
+    return FindDefects(m_Mesh, m_Neighbours, m_Stars, m_Outside, points);
+  }
+
   /** Tetrahedra, and what they could be. */
   struct Change
   {
@@ -152,6 +187,10 @@ private:
       return 0;
     }
     this->Apply(*best);
+    for (const auto t : best->tetrahedra)
+    {
+      m_Touched.insert(m_Touched.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
+    }
     return best->tetrahedra.size();
   }
 
@@ -305,8 +344,7 @@ private:
     {
       points.insert(points.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
     }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    MakeUnique(points);
     std::vector<Material> own;
     for (const auto t : change.tetrahedra)
     {
@@ -372,6 +410,8 @@ private:
   LinkInspector               m_Inspector;
   /** The number of tetrahedra of each material. */
   std::vector<std::size_t> m_Sizes;
+  /** Points whose links are not known any more. */
+  std::vector<PointId> m_Touched;
 };
 } // namespace
 
@@ -380,10 +420,10 @@ FindLinkDefects(const TetrahedralMesh & mesh, std::size_t numberOfPoints, Materi
 {
   const Incidence stars(
     numberOfPoints, mesh.tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; });
-  return FindDefects(mesh, ComputeTetrahedronNeighbours(mesh.tetrahedra), stars, numberOfPoints, outside);
+  return FindDefects(mesh, ComputeTetrahedronNeighbours(mesh.tetrahedra), stars, outside, AllPoints(numberOfPoints));
 }
 
-std::size_t
+LinkRepairReport
 RepairLinks(const IndicatorSet &        indicators,
             const std::vector<Vector> & points,
             Material                    outside,

@@ -17,18 +17,13 @@
  *=========================================================================*/
 #include "mmmMesher.h"
 
-#include "mmmCellUpdate.h"
 #include "mmmConformingDelaunay.h"
 #include "mmmEnclosure.h"
 #include "mmmIndicatorConstraint.h"
 #include "mmmInteriorParticles.h"
-#include "mmmLinkRepair.h"
-#include "mmmLostNodes.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmMeshTopology.h"
-#include "mmmParticleMerging.h"
-#include "mmmSurfaceLabelling.h"
-#include "mmmSurfaceRelaxation.h"
+#include "mmmSurfaceStage.h"
 #include "mmmTetGen.h"
 #include "mmmVolumeBalance.h"
 
@@ -45,82 +40,8 @@ const char * const RelaxationNames[] = { "",
                                          "relaxation of 2-cells",
                                          "relaxation of the interior" };
 
-/** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
-constexpr int SurfaceRounds = 5;
-constexpr int SurfaceSweeps = 2;
-/** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
- * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
-constexpr double RecoverySize = 0.5;
-constexpr double RecoveryGrowth = 0.5;
-constexpr double RecoveryReach = 6.0;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
-
-/** Makes sizes small at some nodes, and so around them that they grow with distance no faster than usual. */
-void
-RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vector<float> & sizes)
-{
-  Index reach;
-  for (int a = 0; a < 3; ++a)
-  {
-    reach[a] = int(RecoveryReach / grid.spacing[a]);
-  }
-  for (const auto n : nodes)
-  {
-    const Index centre = grid.IndexAt(n);
-    for (int k = -reach[2]; k <= reach[2]; ++k)
-    {
-      for (int j = -reach[1]; j <= reach[1]; ++j)
-      {
-        for (int i = -reach[0]; i <= reach[0]; ++i)
-        {
-          const Index at{ { centre[0] + i, centre[1] + j, centre[2] + k } };
-          if (grid.Contains(at))
-          {
-            const double distance = Vector(i * grid.spacing[0], j * grid.spacing[1], k * grid.spacing[2]).norm();
-            float &      size = sizes[grid.Offset(at)];
-            size = std::min(size, float(RecoverySize + RecoveryGrowth * distance));
-          }
-        }
-      }
-    }
-  }
-}
-
-/** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */
-std::size_t
-DropUnusedParticles(ParticleSet & particles, InterfaceMesh & interfaces)
-{
-  std::vector<PointId> number(particles.Size(), 0);
-  for (const auto & triangle : interfaces.triangles)
-  {
-    for (const auto corner : triangle)
-    {
-      number[corner] = 1;
-    }
-  }
-  PointId kept = 0;
-  for (std::size_t p = 0; p < number.size(); ++p)
-  {
-    if (number[p])
-    {
-      particles.positions[kept] = particles.positions[p];
-      particles.cells[kept] = particles.cells[p];
-      number[p] = kept++;
-    }
-  }
-  const std::size_t dropped = particles.Size() - kept;
-  particles.positions.resize(kept);
-  particles.cells.resize(kept);
-  for (auto & triangle : interfaces.triangles)
-  {
-    for (auto & corner : triangle)
-    {
-      corner = number[corner];
-    }
-  }
-  return dropped;
-}
 
 /** Puts the points of the interfaces first, those of them that are particles before the others, and drops the points
  * that no tetrahedron uses. Optimization may have collapsed particles and taken some off the interfaces. */
@@ -188,62 +109,6 @@ SortPoints(MeshingResult & result)
   renumber(result.interfaces.triangles);
   result.points.swap(points);
   particles = std::move(kept);
-}
-
-/** Lists the interface triangles of which a corner is not on a cell with both of their materials, by their centres. */
-std::vector<MeshingPlace>
-FindInconsistentTriangles(const IndicatorSet &  indicators,
-                          const ParticleSet &   particles,
-                          const InterfaceMesh & interfaces,
-                          Material              exterior)
-{
-  const auto lies = [&](PointId corner, Material side) {
-    const Cell & cell = particles.CellOf(corner);
-    return cell.Has(side) || (side == exterior &&
-                              std::any_of(cell.begin(), cell.end(), [&](Material m) { return indicators.IsPlane(m); }));
-  };
-  std::vector<MeshingPlace> places;
-  for (std::size_t t = 0; t < interfaces.triangles.size(); ++t)
-  {
-    const auto & sides = interfaces.sides[t];
-    const auto & corners = interfaces.triangles[t];
-    if (!std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
-          return lies(corner, sides[0]) && lies(corner, sides[1]);
-        }))
-    {
-      const auto & x = particles.positions;
-      places.push_back({ (x[corners[0]] + x[corners[1]] + x[corners[2]]) / 3.0, { sides[0], sides[1] } });
-    }
-  }
-  return places;
-}
-
-/** Makes the materials around each point meet as on a cell, and tells of it. */
-void
-CheckLinks(const IndicatorSet & indicators,
-           Material             exterior,
-           TetrahedralMesh &    labelled,
-           ParticleSet &        particles,
-           LinkReport &         report)
-{
-  const auto found = FindLinkDefects(labelled, particles.Size(), exterior);
-  report.edges = found.edges.size();
-  report.points = found.points.size();
-  report.relabelled = RepairLinks(indicators, particles.positions, exterior, labelled);
-  report.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
-  const auto left = FindLinkDefects(labelled, particles.Size(), exterior);
-  const auto add = [&](const Vector & x, PointId p) {
-    const Cell & cell = particles.CellOf(p);
-    report.left.push_back({ x, std::vector<int>(cell.begin(), cell.end()) });
-  };
-  for (const PointId p : left.points)
-  {
-    add(particles.positions[p], p);
-  }
-  for (const auto & edge : left.edges)
-  {
-    add(0.5 * (particles.positions[edge[0]] + particles.positions[edge[1]]), edge[0]);
-  }
 }
 
 /** The Betti numbers of each material in the mesh, which has no exterior, and in the partition of the indicators. */
@@ -345,30 +210,8 @@ BuildMesh(const IndicatorSet &      indicators,
       << " particles found a place on one. The image needs at least one voxel of a label that is "
          "not exterior.");
   }
-  TetrahedralMesh labelled;
-  for (int round = 0; round <= SurfaceRounds; ++round)
-  {
-    labelled.tetrahedra = TetrahedralizeWithin(indicators.GetGrid(), particles.positions);
-    labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
-    result.interfaces = ExtractInterfaces(labelled, exterior);
-    if (round < SurfaceRounds)
-    {
-      const auto lost = FindLostNodes(indicators, particles.positions, labelled, exterior);
-      RelaxOnSurface(indicators, sizing, result.interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
-      MergeCloseParticles(indicators, sizing, particles);
-      RefineSizes(indicators.GetGrid(), lost, sizes);
-      SeedParticlesAround(indicators, sizing, parameters.exterior, parameters.seed, lost, particles);
-    }
-    monitor.Report(double(round + 1) / (SurfaceRounds + 1));
-  }
-  CheckLinks(indicators, exterior, labelled, particles, report.links);
-  result.interfaces = ExtractInterfaces(labelled, exterior);
-  report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, result.interfaces, exterior);
-  report.unusedParticles = DropUnusedParticles(particles, result.interfaces);
-  for (std::size_t p = 0; p < particles.Size(); ++p)
-  {
-    ++report.particles[particles.CellOf(p).Dimension()];
-  }
+  result.interfaces =
+    BuildSurface(indicators, sizing, parameters.exterior, parameters.seed, sizes, particles, monitor, report);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);

@@ -106,8 +106,10 @@ TEST(LinkRepair, MendsConesThatTouchWhereTheIndicatorsMindLeast)
       return x[0] > 7.9 && x[1] > 7.9 && x[2] > 7.9;
     }));
   Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int y, int z) { return x == y && y == z; });
-  const auto changed = mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh);
-  EXPECT_EQ(changed, 1u);
+  const auto report = mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh);
+  EXPECT_EQ(report.found.points.size(), 1u);
+  EXPECT_EQ(report.left.points.size(), 0u);
+  EXPECT_EQ(report.relabelled, 1u);
   EXPECT_EQ(octahedron.mesh.materials[0], 1); // all signs positive
   EXPECT_EQ(octahedron.mesh.materials[7], 0);
   EXPECT_TRUE(DefectsOf(octahedron).points.empty());
@@ -118,7 +120,7 @@ TEST(LinkRepair, LeavesAMeshWithoutDefects)
   const mmmtest::Scene scene(mmmtest::MakeMaterials(
     { { 16, 16, 16 } }, mmm::Vector::Ones(), 2, [](const mmm::Vector & x) { return x[2] > 7.9; }));
   Octahedron           octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int, int) { return x > 0; });
-  EXPECT_EQ(mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh), 0u);
+  EXPECT_EQ(mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh).relabelled, 0u);
 }
 
 TEST(LinkRepair, LosesNoMaterial)
