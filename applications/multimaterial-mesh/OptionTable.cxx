@@ -374,7 +374,7 @@ MakeTable()
       "",
       AnyValue,
       "",
-      "Write parameters, time and memory per stage, counts and quality per label." },
+      "Write parameters, time and memory per stage, counts, quality and topology per label." },
 
     { "max-tetrahedra",
       &Settings::maxTetrahedra,
