@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Copyright NumFOCUS. Licensed under the Apache License, Version 2.0 (see LICENSE).
 # Time per tetrahedron of multimaterial-mesh and of CGAL's Mesh_3, for as many tetrahedra (within 5 %) in one run.
-#   bench/cgal/compare.sh LABELS          BUILD_DIR is where both were built
+#   bench/cgal/compare.sh LABELS [SIZE]   BUILD_DIR is where both were built; the search for CGAL's begins at SIZE mm
 set -euo pipefail
-[ $# -eq 1 ] || { echo "usage: $0 LABELS" >&2; exit 2; }
+[ $# -eq 1 ] || [ $# -eq 2 ] || { echo "usage: $0 LABELS [SIZE]" >&2; exit 2; }
 project=$(cd "$(dirname "$0")/../.." && pwd)
 bin=${BUILD_DIR:-$project/build}/bin
 scratch=$(mktemp -d)
@@ -31,7 +31,7 @@ cgal() {
 labels=$1
 timed multimaterial-mesh "$bin/multimaterial-mesh" "$labels" "$scratch/ours.vtu"
 wanted=$(sed -n 's/^mesh: .* \([0-9]*\) tetrahedra.*/\1/p' "$scratch/multimaterial-mesh.log")
-size=2.5
+size=${2:-2.5}
 for ((attempt = 0; attempt < 6; ++attempt)); do
   cgal search "$size"
   awk -v n="$count" -v w="$wanted" 'BEGIN { exit !(n > 0.95 * w && n < 1.05 * w) }' && break
