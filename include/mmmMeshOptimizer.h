@@ -34,6 +34,12 @@ struct OptimizationParameters
   double flipAngle{ 32.0 };
   /** Triangles of interfaces with a radius ratio below this are poor. */
   double poorTriangle{ 0.8 };
+  /** Where all tetrahedra around a point have larger dihedral angles than this, in degrees, the worst may lose a little
+   * when the point moves; and down to the second one when an edge changes for the sake of triangles. */
+  double angleToKeep{ 30.0 };
+  double angleToKeepBesideTriangles{ 15.0 };
+  /** How much the average radius ratio of tetrahedra counts when points move; 0 leaves it to that of triangles. */
+  double tetrahedronWeight{ 1.0 };
   /** Rounds of local changes and smoothing; fewer if nothing is changed any more. */
   int rounds{ 6 };
   /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */

@@ -19,6 +19,7 @@
 #define mmmVolumeBalance_h
 
 #include "mmmIndicatorSet.h"
+#include "mmmMeshOptimizer.h"
 #include "mmmTetrahedralComplex.h"
 
 namespace mmm
@@ -32,11 +33,12 @@ class InterfaceConstraint;
  * the first points, the cell that each lies on. No tetrahedron is inverted; `exterior` ones may be part of the complex,
  * which has to be compact. */
 void
-BalanceVolumes(const IndicatorSet &        indicators,
-               const InterfaceConstraint & constraint,
-               Material                    exterior,
-               const TetrahedralComplex &  complex,
-               std::vector<Vector> &       points);
+BalanceVolumes(const IndicatorSet &           indicators,
+               const InterfaceConstraint &    constraint,
+               Material                       exterior,
+               const OptimizationParameters & parameters,
+               const TetrahedralComplex &     complex,
+               std::vector<Vector> &          points);
 } // namespace mmm
 
 #endif

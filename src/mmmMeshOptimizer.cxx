@@ -188,7 +188,7 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
   const double       flipQuality = QualityOfAngle(parameters.flipAngle);
   const double       poorQuality = QualityOfAngle(parameters.poorAngle);
   OptimizerState     state{ constraint, exterior, parameters, points, complex, report };
-  report.moves += PointSmoother(constraint, exterior, points, complex).SmoothAll();
+  report.moves += PointSmoother(constraint, exterior, parameters, points, complex).SmoothAll();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
@@ -196,7 +196,7 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
     std::size_t          changes = improver.ImproveTriangles(parameters.poorTriangle);
     changes += improver.Improve(flipQuality, poorQuality);
     complex.Compact();
-    PointSmoother smoother(constraint, exterior, points, complex);
+    PointSmoother smoother(constraint, exterior, parameters, points, complex);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.rounds = round + 1;

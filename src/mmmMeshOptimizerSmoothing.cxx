@@ -36,17 +36,17 @@ WorthOfTriangle(double radiusRatio)
 {
   return radiusRatio - 0.5 / (radiusRatio + 0.05);
 }
-/** Where all tetrahedra around a point have better angles than this, in degrees, the worst may lose a little. */
-constexpr double AngleToKeep = 30.0;
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
 } // namespace
 
-PointSmoother::PointSmoother(const InterfaceConstraint & constraint,
-                             Material                    exterior,
-                             std::vector<Vector> &       points,
-                             const TetrahedralComplex &  complex)
+PointSmoother::PointSmoother(const InterfaceConstraint &    constraint,
+                             Material                       exterior,
+                             const OptimizationParameters & parameters,
+                             std::vector<Vector> &          points,
+                             const TetrahedralComplex &     complex)
   : m_Constraint(constraint)
+  , m_Parameters(parameters)
   , m_Exterior(exterior)
   , m_Cells(constraint.Cells())
   , m_Points(points)
@@ -313,8 +313,9 @@ PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
 double
 PointSmoother::TotalAround(PointId p, const Vector & x) const
 {
-  double total = 0.0;
-  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
+  double     total = 0.0;
+  const bool withTetrahedra = m_Parameters.tetrahedronWeight > 0.0;
+  for (auto s = m_Star.Begin(p); withTetrahedra && s != m_Star.End(p); ++s)
   {
     if (this->IsExterior(*s))
     {
@@ -326,7 +327,8 @@ PointSmoother::TotalAround(PointId p, const Vector & x) const
     {
       corners[c] = t[c] == p ? &x : &m_Points[t[c]];
     }
-    total += TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
+    total +=
+      m_Parameters.tetrahedronWeight * TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
   }
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
@@ -368,7 +370,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   {
     return false;
   }
-  const double least = std::min(this->WorstAround(p, from, -2.0), QualityOfAngle(AngleToKeep));
+  const double least = std::min(this->WorstAround(p, from, -2.0), QualityOfAngle(m_Parameters.angleToKeep));
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);

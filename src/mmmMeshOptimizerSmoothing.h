@@ -21,6 +21,7 @@
 #include "mmmIncidence.h"
 #include "mmmIndicatorSet.h"
 #include "mmmInterfaceConstraint.h"
+#include "mmmMeshOptimizer.h"
 #include "mmmTetrahedralComplex.h"
 
 #include <cstdint>
@@ -73,10 +74,11 @@ public:
     Free
   };
 
-  PointSmoother(const InterfaceConstraint & constraint,
-                Material                    exterior,
-                std::vector<Vector> &       points,
-                const TetrahedralComplex &  complex);
+  PointSmoother(const InterfaceConstraint &    constraint,
+                Material                       exterior,
+                const OptimizationParameters & parameters,
+                std::vector<Vector> &          points,
+                const TetrahedralComplex &     complex);
 
   /** Moves all points so that the radius ratios around them grow on average. Returns the number of moves. */
   std::size_t
@@ -124,6 +126,7 @@ private:
   WorstTriangleAround(PointId p, const Vector & x) const;
 
   const InterfaceConstraint &      m_Constraint;
+  const OptimizationParameters     m_Parameters;
   const Material                   m_Exterior;
   const std::vector<Cell> &        m_Cells;
   std::vector<Vector> &            m_Points;

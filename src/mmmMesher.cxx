@@ -161,6 +161,9 @@ ForSurface(OptimizationParameters parameters)
   constexpr int    Rounds = 3;
   parameters.poorAngle = Angle;
   parameters.flipAngle = Angle;
+  parameters.angleToKeep = Angle;
+  parameters.angleToKeepBesideTriangles = Angle;
+  parameters.tetrahedronWeight = 0.0;
   parameters.rounds = std::min(parameters.rounds, Rounds);
   return parameters;
 }
@@ -260,17 +263,13 @@ BuildMesh(const IndicatorSet &      indicators,
   {
     cells[p] = particles.CellOf(p);
   }
-  const IndicatorConstraint constraint(indicators, exterior, std::move(cells));
-  TetrahedralComplex        complex(result.tetrahedra, result.points.size());
-  report.optimization =
-    OptimizeMesh(constraint,
-                 exterior,
-                 parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization,
-                 result.points,
-                 complex,
-                 monitor);
+  const IndicatorConstraint    constraint(indicators, exterior, std::move(cells));
+  TetrahedralComplex           complex(result.tetrahedra, result.points.size());
+  const OptimizationParameters optimization =
+    parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
+  report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
-  BalanceVolumes(indicators, constraint, exterior, complex, result.points);
+  BalanceVolumes(indicators, constraint, exterior, optimization, complex, result.points);
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
   if (parameters.compareTopology)

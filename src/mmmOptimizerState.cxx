@@ -30,9 +30,9 @@ OptimizerState::TriangleFloor(double quality)
 }
 
 double
-OptimizerState::EnoughBesideTriangles(double before)
+OptimizerState::EnoughBesideTriangles(double before) const
 {
-  return std::min(before + LeastGain, QualityOfAngle(15.0));
+  return std::min(before + LeastGain, QualityOfAngle(parameters.angleToKeepBesideTriangles));
 }
 
 double

@@ -42,8 +42,8 @@ struct OptimizerState
 
   /** What the worst tetrahedron has to be better than after a change for the sake of triangles, where it is `before`
    * now: what is good may get a little worse. */
-  static double
-  EnoughBesideTriangles(double before);
+  double
+  EnoughBesideTriangles(double before) const;
 
   const InterfaceConstraint &    constraint;
   const Material                 exterior;

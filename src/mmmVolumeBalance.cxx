@@ -81,7 +81,8 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
       }
       const double gap = std::min(std::max(gaps[p], -LongestMove), LongestMove);
       const Vector x = m_Points[p] + gap * indicators.Normal(m_Cells[p], m_Points[p]);
-      const double least = std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(AngleToKeep)) - 1e-12;
+      const double angle = std::min(m_Parameters.angleToKeep, AngleToKeep);
+      const double least = std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(angle)) - 1e-12;
       if (!(this->WorstAround(p, x, least) > least))
       {
         return false;
@@ -94,12 +95,13 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
 }
 
 void
-BalanceVolumes(const IndicatorSet &        indicators,
-               const InterfaceConstraint & constraint,
-               Material                    exterior,
-               const TetrahedralComplex &  complex,
-               std::vector<Vector> &       points)
+BalanceVolumes(const IndicatorSet &           indicators,
+               const InterfaceConstraint &    constraint,
+               Material                       exterior,
+               const OptimizationParameters & parameters,
+               const TetrahedralComplex &     complex,
+               std::vector<Vector> &          points)
 {
-  PointSmoother(constraint, exterior, points, complex).BalanceVolumes(indicators);
+  PointSmoother(constraint, exterior, parameters, points, complex).BalanceVolumes(indicators);
 }
 } // namespace mmm
