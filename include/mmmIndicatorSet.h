@@ -36,6 +36,9 @@ namespace mmm
 class MultiMaterialMeshing_EXPORT IndicatorSet
 {
 public:
+  /** By how much another material may be larger where a cell still counts as maximal. */
+  static constexpr double MaximalityTolerance = 1e-2;
+
   /** One indicator a material; `outside` is what they are beyond their bricks. */
   IndicatorSet(const Grid & grid, std::vector<IndicatorBricks> indicators, double outside);
 
@@ -98,6 +101,13 @@ public:
    * false where that does not converge within `reach` of the start. It does not ask whether others are larger there. */
   bool
   Project(const Cell & cell, Vector & x, double reach) const;
+
+  /** Project(), and whether the cell's materials are the largest there, see IsMaximal(). */
+  bool
+  ProjectWhereMaximal(const Cell & cell, Vector & x, double reach, double tolerance = MaximalityTolerance) const
+  {
+    return this->Project(cell, x, reach) && this->IsMaximal(cell, x, tolerance);
+  }
 
   /** One step of Project(), for a point that is near the cell already. `direction` becomes the normal of a 2-cell or
    * the tangent of a 1-cell. Returns false, and leaves the point, where the cell is further than half a voxel. */

@@ -31,7 +31,6 @@ namespace
 constexpr std::size_t ParticlesPerRange = 4096;
 /** How far a cell may be from a particle, in units of the smallest voxel spacing. */
 constexpr double Reach = 0.5;
-constexpr double MaximalityTolerance = 1e-2;
 
 /** The cell of some materials, or the particle's own one where that is not near. */
 Cell
@@ -48,8 +47,7 @@ CellOfMaterials(const IndicatorSet & indicators, const std::vector<Material> & m
   {
     cell.Join(Cell{ m });
   }
-  return cell != own && indicators.Project(cell, x, Reach) && indicators.IsMaximal(cell, x, MaximalityTolerance) ? cell
-                                                                                                                 : own;
+  return cell != own && indicators.ProjectWhereMaximal(cell, x, Reach) ? cell : own;
 }
 } // namespace
 

@@ -23,11 +23,6 @@
 
 namespace mmm
 {
-namespace
-{
-constexpr double MaximalityTolerance = 1e-2;
-} // namespace
-
 IndicatorConstraint::IndicatorConstraint(const IndicatorSet & indicators, Material exterior, std::vector<Cell> cells)
   : InterfaceConstraint(std::move(cells))
   , m_Indicators(indicators)
@@ -43,7 +38,7 @@ IndicatorConstraint::MaterialOf(Material m) const
 bool
 IndicatorConstraint::Project(PointId p, Vector & x) const
 {
-  return m_Indicators.Project(m_Cells[p], x, 1.0) && m_Indicators.IsMaximal(m_Cells[p], x, MaximalityTolerance);
+  return m_Indicators.ProjectWhereMaximal(m_Cells[p], x, 1.0);
 }
 
 bool

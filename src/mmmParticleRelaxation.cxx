@@ -43,8 +43,7 @@ constexpr int    SweepsPerListing = 4;
 constexpr double Damping = 0.6;
 constexpr double LongestMove = 0.25;
 /** Sweeps after which the population is adapted. */
-constexpr int    PopulationSweeps[] = { 4, 8, 12, 16, 20 };
-constexpr double MaximalityTolerance = 1e-2;
+constexpr int PopulationSweeps[] = { 4, 8, 12, 16, 20 };
 
 class Relaxation
 {
@@ -316,7 +315,7 @@ private:
       return this->Admit(p, x);
     }
     return m_Indicators.Approach(cell, x, direction) &&
-           (!m_NearJunction[p] || m_Indicators.IsMaximal(cell, x, MaximalityTolerance));
+           (!m_NearJunction[p] || m_Indicators.IsMaximal(cell, x, IndicatorSet::MaximalityTolerance));
   }
 
   /** Projects a moved particle on its cell; false where it would leave it. */
@@ -328,7 +327,7 @@ private:
     {
       return m_Indicators.MaterialAt(x) == cell.materials[0];
     }
-    return m_Indicators.Project(cell, x, 0.5 * m_Sizes[p]) && m_Indicators.IsMaximal(cell, x, MaximalityTolerance);
+    return m_Indicators.ProjectWhereMaximal(cell, x, 0.5 * m_Sizes[p]);
   }
 
   double

@@ -127,7 +127,7 @@ private:
       x[a] = (lower[a] + 0.5) * grid.spacing[a];
     }
     const double reach = SeedReach * grid.spacing.maxCoeff();
-    if (m_Indicators.Project(cell, x, reach) && m_Indicators.IsMaximal(cell, x, MaximalityTolerance))
+    if (m_Indicators.ProjectWhereMaximal(cell, x, reach, MaximalityTolerance))
     {
       seeds.push_back({ x, cell.count == 2 ? m_Indicators.Normal(cell, x) : Vector::Zero(), cell, 0 });
     }

@@ -31,7 +31,6 @@ namespace
 constexpr std::size_t Grain = 1024;
 constexpr double      LongEdge = 1.45;
 constexpr double      ShortEdge = 0.65;
-constexpr double      MaximalityTolerance = 1e-2;
 
 void
 SweepCentroids(const IndicatorSet &          indicators,
@@ -76,7 +75,7 @@ SweepCentroids(const IndicatorSet &          indicators,
       Vector       x = particles.positions[p];
       const Vector normal = indicators.Normal(cell, x);
       x += step - normal * normal.dot(step);
-      if (indicators.Project(cell, x, 0.5 * sizes[p]) && indicators.IsMaximal(cell, x, MaximalityTolerance))
+      if (indicators.ProjectWhereMaximal(cell, x, 0.5 * sizes[p]))
       {
         next[p] = x;
       }
@@ -184,8 +183,7 @@ AdaptToEdges(const IndicatorSet &          indicators,
     }
     const auto known = std::find(particles.cellTable.begin(), particles.cellTable.end(), surface);
     Vector     x = 0.5 * (particles.positions[edge.a] + particles.positions[edge.b]);
-    if (known != particles.cellTable.end() && indicators.Project(surface, x, 0.5 * sizes[edge.a]) &&
-        indicators.IsMaximal(surface, x, MaximalityTolerance))
+    if (known != particles.cellTable.end() && indicators.ProjectWhereMaximal(surface, x, 0.5 * sizes[edge.a]))
     {
       particles.positions.push_back(x);
       particles.cells.push_back(std::uint32_t(known - particles.cellTable.begin()));
