@@ -23,6 +23,7 @@
 #include "mmmParticles.h"
 #include "mmmTetrahedralMesh.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -49,6 +50,21 @@ public:
     return material < m_Labels.size() ? m_Labels[material] : m_Outside;
   }
 
+  /** Those of several materials, sorted, each once. */
+  template <typename TMaterials>
+  std::vector<int>
+  OfMaterials(const TMaterials & materials) const
+  {
+    std::vector<int> labels;
+    for (const auto material : materials)
+    {
+      labels.push_back(this->OfMaterial(Material(material)));
+    }
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    return labels;
+  }
+
   /** The labels of a triangle's sides, the lower one first. */
   std::array<int, 2>
   OfSides(const std::array<Material, 2> & sides) const;
@@ -62,11 +78,6 @@ public:
   OfJunction(const MaterialList & materials) const;
 
 private:
-  /** Sorted, each once. */
-  template <typename TMaterials>
-  std::vector<int>
-  OfMaterials(const TMaterials & materials) const;
-
   std::vector<int> m_Labels;
   int              m_Outside;
 };

@@ -55,20 +55,6 @@ InterfaceLabels::OfSides(const std::array<Material, 2> & sides) const
   return { { std::min(a, b), std::max(a, b) } };
 }
 
-template <typename TMaterials>
-std::vector<int>
-InterfaceLabels::OfMaterials(const TMaterials & materials) const
-{
-  std::vector<int> labels;
-  for (const Material material : materials)
-  {
-    labels.push_back(this->OfMaterial(material));
-  }
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  return labels;
-}
-
 std::array<int, 5>
 InterfaceLabels::OfParticle(const Cell & cell) const
 {

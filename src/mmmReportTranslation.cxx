@@ -17,8 +17,6 @@
  *=========================================================================*/
 #include "mmmReportTranslation.h"
 
-#include <algorithm>
-
 namespace mmm
 {
 namespace
@@ -30,12 +28,7 @@ Translate(const GridGeometry & geometry, const InterfaceLabels & labels, std::ve
   {
     const auto point = geometry.ToPhysicalPoint(place.position);
     place.position = Vector(point[0], point[1], point[2]);
-    for (int & label : place.labels)
-    {
-      label = labels.OfMaterial(Material(label));
-    }
-    std::sort(place.labels.begin(), place.labels.end());
-    place.labels.erase(std::unique(place.labels.begin(), place.labels.end()), place.labels.end());
+    place.labels = labels.OfMaterials(place.labels);
   }
 }
 } // namespace
