@@ -18,10 +18,10 @@
 #ifndef itkIndicatorImagesToMeshFilter_hxx
 #define itkIndicatorImagesToMeshFilter_hxx
 
-#include "mmmReportTranslation.h"
 #include "mmmIndicatorImages.h"
 #include "mmmMeshConversion.h"
 #include "mmmOutOfMemory.h"
+#include "mmmReportTranslation.h"
 #include "mmmSizingImage.h"
 
 #include "itkLineCell.h"

@@ -19,6 +19,7 @@
 #define mmmMeshQuality_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmMeshTopology.h"
 #include "mmmTetrahedronQuality.h"
 
 #include <iosfwd>
@@ -82,11 +83,11 @@ struct LabelQuality
   TetrahedronStatistics tetrahedra;
 
   /** See RegionTopology for what follows. */
-  std::size_t                   components{ 0 };
-  std::size_t                   boundaryFaces{ 0 };
-  std::size_t                   openEdges{ 0 };
-  std::size_t                   nonManifoldEdges{ 0 };
-  std::array<std::ptrdiff_t, 3> betti{ { 0, 0, 0 } };
+  std::size_t  components{ 0 };
+  std::size_t  boundaryFaces{ 0 };
+  std::size_t  openEdges{ 0 };
+  std::size_t  nonManifoldEdges{ 0 };
+  BettiNumbers betti{ { 0, 0, 0 } };
 };
 
 /** A tetrahedron with a dihedral angle beyond the bounds. */

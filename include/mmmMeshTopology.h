@@ -21,10 +21,15 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mmmTetrahedralMesh.h"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace mmm
 {
+/** Components, tunnels and cavities. */
+using BettiNumbers = std::array<std::ptrdiff_t, 3>;
+
 /** A face on the boundary of a region: behind it is another one, or nothing. A face between two regions is listed once
  * for each of them. */
 struct BoundaryFace
@@ -53,7 +58,7 @@ struct RegionTopology
    * point is enough to hold two components together, and a cavity is not open to the outside, or to another cavity, by
    * way of an edge or a point. They assume positive volumes and that tetrahedra meet only in common faces, edges and
    * points. */
-  std::array<std::ptrdiff_t, 3> betti{ { 0, 0, 0 } };
+  BettiNumbers betti{ { 0, 0, 0 } };
 };
 
 struct MeshTopology

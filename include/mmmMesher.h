@@ -19,14 +19,13 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmInterfaceMesh.h"
 #include "mmmJunctions.h"
 #include "mmmMeshEstimate.h"
 #include "mmmMeshOptimizer.h"
-#include "mmmInterfaceMesh.h"
 #include "mmmParticles.h"
-#include "mmmSampling.h"
-
 #include "mmmPartitionTopology.h"
+#include "mmmSampling.h"
 
 #include <string>
 

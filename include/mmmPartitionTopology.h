@@ -19,16 +19,13 @@
 #define mmmPartitionTopology_h
 
 #include "mmmIndicatorSet.h"
+#include "mmmMeshTopology.h"
 
-#include <array>
 #include <functional>
 #include <vector>
 
 namespace mmm
 {
-/** Components, tunnels and cavities. */
-using BettiNumbers = std::array<std::ptrdiff_t, 3>;
-
 /** \brief The Betti numbers of each material of the argmax partition of the indicators, which a mesh should have, too.
  *
  * The partition is sampled at the grid's nodes and halfway between them. A sample stands for a closed box around it:
