@@ -38,6 +38,19 @@ WorthOfTriangle(double radiusRatio)
 }
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
+
+/** The axes, then the diagonals. */
+constexpr int SearchDirections = 14;
+Vector
+SearchDirection(int number)
+{
+  if (number < 6)
+  {
+    return Vector::Unit(number / 2) * (number % 2 ? 1.0 : -1.0);
+  }
+  const int bits = number - 6;
+  return Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
+}
 } // namespace
 
 PointSmoother::PointSmoother(const InterfaceConstraint &    constraint,
@@ -207,6 +220,12 @@ std::size_t
 PointSmoother::SmoothWorst(double quality, double tolerance)
 {
   return this->MoveByColour([=](PointId p) { return this->MoveUphill(p, quality, tolerance); });
+}
+
+std::size_t
+PointSmoother::SmoothTriangles(double radiusRatio)
+{
+  return this->MoveByColour([=](PointId p) { return this->MoveForTriangles(p, radiusRatio); });
 }
 
 /** The smallest quality around p if it were at x; the search ends early at one that is not better than `enough`. */
@@ -439,22 +458,57 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
   {
     for (double step = 0.2 * size; step > 0.02 * size; step *= 0.5)
     {
-      for (int d = 0; d < 14; ++d)
+      for (int d = 0; d < SearchDirections; ++d)
       {
-        // the axes, then the diagonals
-        Vector direction = Vector::Unit((d % 6) / 2) * (d % 2 ? 1.0 : -1.0);
-        if (d >= 6)
-        {
-          const int bits = d - 6;
-          direction = Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
-        }
-        moved = this->TryMove(p, m_Points[p] + step * direction, slack, worst) || moved;
+        moved = this->TryMove(p, m_Points[p] + step * SearchDirection(d), slack, worst) || moved;
       }
     }
     // only the flattest ones may take their corners off their cells
     if (m_Freedom[p] != Freedom::OnCell || worst >= QualityOfAngle(AngleToLeaveCell))
     {
       break;
+    }
+  }
+  return moved;
+}
+
+/** Searches the cell for a place where the worst triangle is better; tetrahedra that are good may lose for that. */
+bool
+PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
+{
+  if (m_Freedom[p] != Freedom::OnCell)
+  {
+    return false;
+  }
+  double worst = this->WorstTriangleAround(p, m_Points[p]);
+  if (worst >= radiusRatio)
+  {
+    return false;
+  }
+  double size = 0.0;
+  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
+  {
+    size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
+  }
+  const double least =
+    std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(m_Parameters.angleToKeepBesideTriangles));
+  bool moved = false;
+  for (double step = 0.2 * size; step > 0.01 * size; step *= 0.5)
+  {
+    for (int d = 0; d < SearchDirections; ++d)
+    {
+      Vector x = m_Points[p] + step * m_Constraint.AlongCell(p, m_Points[p], SearchDirection(d));
+      if (!this->Admit(p, x, 0.0))
+      {
+        continue;
+      }
+      const double reached = this->WorstTriangleAround(p, x);
+      if (reached > worst && this->WorstAround(p, x, least) > least)
+      {
+        m_Points[p] = x;
+        worst = reached;
+        moved = true;
+      }
     }
   }
   return moved;

@@ -87,6 +87,10 @@ public:
    * flat tetrahedra may leave their cell by the tolerance. */
   std::size_t
   SmoothWorst(double quality, double tolerance);
+  /** Moves the points of triangles below a radius ratio within their cell, where that makes the worst triangle around
+   * them better and leaves tetrahedra good enough. */
+  std::size_t
+  SmoothTriangles(double radiusRatio);
   /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
    * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
   std::size_t
@@ -113,6 +117,8 @@ private:
   MoveUphillOnAverage(PointId p);
   bool
   MoveUphill(PointId p, double quality, double tolerance);
+  bool
+  MoveForTriangles(PointId p, double radiusRatio);
   double
   WorstAround(PointId p, const Vector & x, double enough) const;
   /** Brings a place for p to within `slack` of its cell, if p is on one; false where there is none nearby. */
