@@ -33,9 +33,12 @@ struct OptimizationParameters
   /** Below this, edges and faces within a material are flipped. */
   double flipAngle{ 32.0 };
   /** Triangles of interfaces with a radius ratio below this are poor. */
-  double poorTriangle{ 0.8 };
+  double poorTriangle{ 0.87 };
+  /** Points of triangles below this radius ratio move for the sake of the worst triangle around them alone. */
+  double lowTriangle{ 0.77 };
   /** Where all tetrahedra around a point have larger dihedral angles than this, in degrees, the worst may lose a little
-   * when the point moves; and down to the second one when an edge changes for the sake of triangles. */
+   * when the point moves; and down to the second one when an edge or a point changes for the sake of triangles, or when
+   * a point returns to its cell. */
   double angleToKeep{ 30.0 };
   double angleToKeepBesideTriangles{ 15.0 };
   /** How much the average radius ratio of tetrahedra counts when points move; 0 leaves it to that of triangles. */

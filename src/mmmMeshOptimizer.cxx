@@ -199,7 +199,8 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
     PointSmoother smoother(constraint, exterior, parameters, points, complex);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
-    report.moves += smoother.SmoothTriangles(parameters.poorTriangle);
+    report.moves += smoother.SmoothTriangles(parameters.lowTriangle);
+    report.moves += smoother.ReturnToCells();
     report.rounds = round + 1;
     monitor.Report(0.1 + 0.9 * (round + 1) / parameters.rounds);
     if (changes == 0)

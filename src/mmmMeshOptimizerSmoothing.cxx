@@ -38,6 +38,10 @@ WorthOfTriangle(double radiusRatio)
 }
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
+/** Particles that are this near are on their cell, in units of the smallest voxel spacing. */
+constexpr double NegligibleDistance = 1e-3;
+/** Triangles keep this radius ratio when points return to their cells. */
+constexpr double TriangleToKeep = 0.5;
 
 /** The axes, then the diagonals. */
 constexpr int SearchDirections = 14;
@@ -226,6 +230,12 @@ std::size_t
 PointSmoother::SmoothTriangles(double radiusRatio)
 {
   return this->MoveByColour([=](PointId p) { return this->MoveForTriangles(p, radiusRatio); });
+}
+
+std::size_t
+PointSmoother::ReturnToCells()
+{
+  return this->MoveByColour([this](PointId p) { return this->MoveToCell(p); });
 }
 
 /** The smallest quality around p if it were at x; the search ends early at one that is not better than `enough`. */
@@ -512,5 +522,30 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
     }
   }
   return moved;
+}
+
+/** Moves p to its cell, or half the way, if tetrahedra and triangles stay good enough. */
+bool
+PointSmoother::MoveToCell(PointId p)
+{
+  Vector onCell = m_Points[p];
+  if (m_Freedom[p] != Freedom::OnCell || !m_Constraint.Project(p, onCell) ||
+      (onCell - m_Points[p]).norm() < NegligibleDistance)
+  {
+    return false;
+  }
+  const double least =
+    std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(m_Parameters.angleToKeepBesideTriangles)) - 1e-12;
+  const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
+  for (const double share : { 1.0, 0.5 })
+  {
+    const Vector x = m_Points[p] + share * (onCell - m_Points[p]);
+    if (this->WorstTriangleAround(p, x) >= triangle && this->WorstAround(p, x, least) > least)
+    {
+      m_Points[p] = x;
+      return true;
+    }
+  }
+  return false;
 }
 } // namespace mmm

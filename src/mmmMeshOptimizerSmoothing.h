@@ -91,6 +91,9 @@ public:
    * them better and leaves tetrahedra good enough. */
   std::size_t
   SmoothTriangles(double radiusRatio);
+  /** Moves points that are off their cell back to it, where tetrahedra and triangles stay good enough. */
+  std::size_t
+  ReturnToCells();
   /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
    * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
   std::size_t
@@ -117,6 +120,8 @@ private:
   MoveUphillOnAverage(PointId p);
   bool
   MoveUphill(PointId p, double quality, double tolerance);
+  bool
+  MoveToCell(PointId p);
   bool
   MoveForTriangles(PointId p, double radiusRatio);
   double

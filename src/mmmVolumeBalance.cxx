@@ -32,6 +32,8 @@ constexpr int Passes = 2;
 constexpr double LongestMove = 0.3;
 /** A tetrahedron may get worse by this, but not beyond the angle, in degrees. */
 constexpr double AngleToKeep = 20.0;
+/** Likewise a triangle, but not beyond this radius ratio. */
+constexpr double TriangleToKeep = 0.75;
 } // namespace
 
 /** How far the zero set is from the triangles around p on average, along the normal of p's cell. */
@@ -83,7 +85,8 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
       const Vector x = m_Points[p] + gap * indicators.Normal(m_Cells[p], m_Points[p]);
       const double angle = std::min(m_Parameters.angleToKeep, AngleToKeep);
       const double least = std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(angle)) - 1e-12;
-      if (!(this->WorstAround(p, x, least) > least))
+      const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep) - 1e-12;
+      if (this->WorstTriangleAround(p, x) < triangle || !(this->WorstAround(p, x, least) > least))
       {
         return false;
       }
