@@ -71,7 +71,7 @@ struct RelaxationParameters
   /** Sweeps end when the particles move by less than this on average, in units of h ... */
   double tolerance{ 0.01 };
   /** ... or after so many. */
-  int maximumSweeps{ 24 };
+  int maximumSweeps{ 40 };
 };
 
 struct RelaxationReport

@@ -40,10 +40,13 @@ constexpr double LonelyEnergy = 0.65;
  * with a larger h. */
 constexpr double ListingMargin = 1.2;
 constexpr int    SweepsPerListing = 4;
-constexpr double Damping = 0.6;
+constexpr float Damping = 0.7f;
+/** Factors on it where a particle turns back, and where it does not. */
+constexpr float  Shorter = 0.3f;
+constexpr float  Longer = 1.1f;
 constexpr double LongestMove = 0.25;
 /** Sweeps after which the population is adapted. */
-constexpr int PopulationSweeps[] = { 4, 8, 12, 16, 20 };
+constexpr int PopulationSweeps[] = { 3, 6, 9 };
 
 class Relaxation
 {
@@ -121,6 +124,8 @@ private:
     this->UpdateSizes();
     const std::size_t count = m_Particles.Size();
     m_Directions.assign(count, Vector::Zero());
+    m_LastSteps.assign(count, Vector::Zero());
+    m_Dampings.assign(count, Damping);
     ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t p = begin; p < end; ++p)
       {
@@ -250,6 +255,16 @@ private:
     return step;
   }
 
+  /** A particle that turns back takes shorter steps: where a sheet is bent within h, neighbours come in sight and leave
+   * it, and it would never rest. */
+  void
+  UpdateDamping(std::size_t p, const Vector & step)
+  {
+    const bool turnsBack = step.dot(m_LastSteps[p]) < 0.0;
+    m_Dampings[p] = turnsBack ? Shorter * m_Dampings[p] : std::min(Damping, Longer * m_Dampings[p]);
+    m_LastSteps[p] = step;
+  }
+
   /** One step of all active particles, from the same positions. Returns the mean move in units of h. */
   double
   Sweep()
@@ -272,7 +287,9 @@ private:
           continue;
         }
         const double h = m_Sizes[p];
-        Vector       step = Damping * this->Step(p);
+        Vector       step = this->Step(p);
+        this->UpdateDamping(p, step);
+        step *= m_Dampings[p];
         const double length = step.norm();
         if (!(length < 1e3))
         {
@@ -480,6 +497,8 @@ private:
   PointBins                    m_Bins;
   std::vector<float>           m_Sizes;
   std::vector<Vector>          m_Directions;
+  std::vector<Vector>          m_LastSteps;
+  std::vector<float>           m_Dampings;
   std::vector<char>            m_NearJunction;
   std::vector<std::uint32_t>   m_NeighbourStart;
   std::vector<std::uint32_t>   m_Neighbours;
