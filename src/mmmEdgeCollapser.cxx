@@ -69,19 +69,11 @@ EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough, double fl
   {
     return false;
   }
-  const auto aroundU = this->MaterialsAround(u, m_Star);
-  if (aroundU.size() > 2)
+  const std::size_t materials = this->MaterialsAround(u, m_Star).size();
+  if (materials > 3 || (materials > 1 && (!this->IsOnCellOf(u, v, materials) ||
+                                          !this->MayCollapseOnInterface(t, u, v, int(materials), floor))))
   {
-    return false; // on a junction
-  }
-  if (aroundU.size() == 2)
-  {
-    const auto & cells = m_State.constraint.Cells();
-    if (u >= cells.size() || cells[u].Dimension() != 2 || v >= cells.size() || !cells[v].Includes(cells[u]) ||
-        !this->MayCollapseOnInterface(t, u, v, aroundU, floor))
-    {
-      return false;
-    }
+    return false;
   }
   std::vector<Element> fresh;
   for (const Id s : m_Star)
@@ -142,10 +134,75 @@ EdgeCollapser::LinksMeetInRing(Id t, PointId u, PointId v)
   return common.size() == m_Ring.link.size() + m_Ring.tetrahedra.size();
 }
 
-/** Whether point u of a surface may slide into v: the edge lies on the surface, the surface's own links meet in two
- * points only, and its new triangles are good, unfolded and near the zero set. */
+/** Whether u, where some materials meet, lies on a surface or a curve of as many, which v is on or at the end of. What
+ * is no particle has joined a surface, on which the edge then runs. */
 bool
-EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vector<Material> & materials, double floor)
+EdgeCollapser::IsOnCellOf(PointId u, PointId v, std::size_t materials) const
+{
+  const auto & cells = m_State.constraint.Cells();
+  if (u >= cells.size())
+  {
+    return materials == 2 && v < cells.size();
+  }
+  return v < cells.size() && cells[u].count == materials && cells[v].Includes(cells[u]);
+}
+
+/** The triangles of interfaces around p, by their corners besides p. */
+std::vector<EdgeCollapser::FanTriangle>
+EdgeCollapser::FanOf(PointId p, const std::vector<Id> & star) const
+{
+  std::vector<FanTriangle> fan;
+  for (const Id s : star)
+  {
+    const auto &   corners = m_State.complex.Corners(s);
+    const Material own = m_State.complex.MaterialOf(s);
+    for (int f = 0; f < 4; ++f)
+    {
+      const Id       other = m_State.complex.Neighbour(s, f);
+      const Material beyond = other == NoTetrahedron ? m_State.exterior : m_State.complex.MaterialOf(other);
+      // each once, from the side of the lower material
+      if (corners[f] == p || !m_State.complex.IsInterface(s, f) || (other != NoTetrahedron && beyond < own))
+      {
+        continue;
+      }
+      const auto & face = TetrahedronFaces[f];
+      const int    at = corners[face[0]] == p ? 0 : (corners[face[1]] == p ? 1 : 2);
+      fan.push_back({ corners[face[(at + 1) % 3]], corners[face[(at + 2) % 3]], own, beyond });
+    }
+  }
+  return fan;
+}
+
+/** The ends of the edges from a point that the triangles of a fan have; with `onCurves` those of the edges where three
+ * sheets or more meet. */
+std::vector<PointId>
+EdgeCollapser::EndsOf(const std::vector<FanTriangle> & fan, bool onCurves)
+{
+  std::vector<PointId> ends;
+  for (const auto & triangle : fan)
+  {
+    ends.push_back(triangle.b);
+    ends.push_back(triangle.c);
+  }
+  std::sort(ends.begin(), ends.end());
+  std::vector<PointId> result;
+  for (auto first = ends.begin(); first != ends.end();)
+  {
+    const auto last = std::upper_bound(first, ends.end(), *first);
+    if (!onCurves || last - first > 2)
+    {
+      result.push_back(*first);
+    }
+    first = last;
+  }
+  return result;
+}
+
+/** Whether point u of a surface or a curve may slide along it into v. The edge has to lie on all sheets at u; u and v
+ * share no other points of sheets, no edges opposite them, and no other points of curves (the link condition). No
+ * triangle may turn over, get too flat, or leave the zero set. */
+bool
+EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials, double floor)
 {
   m_State.complex.GetRing(t, u, v, m_Ring);
   int       cuts = m_Ring.closed ? 0 : 2;
@@ -155,74 +212,48 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, const std::vec
     cuts += m_State.complex.MaterialOf(m_Ring.tetrahedra[n]) !=
             m_State.complex.MaterialOf(m_Ring.tetrahedra[(n + count - 1) % count]);
   }
-  if (cuts != 2)
+  if (cuts != materials)
   {
     return false;
   }
-  const auto fanPoints = [&](PointId p, const std::vector<Id> & star, std::vector<std::array<PointId, 2>> * fan) {
-    std::vector<PointId> points;
-    for (const Id s : star)
-    {
-      for (int f = 0; f < 4; ++f)
-      {
-        const auto & corners = m_State.complex.Corners(s);
-        const Id     other = m_State.complex.Neighbour(s, f);
-        if (corners[f] == p || !m_State.complex.IsInterface(s, f) ||
-            (other != NoTetrahedron && m_State.complex.MaterialOf(other) < m_State.complex.MaterialOf(s)))
-        {
-          continue;
-        }
-        PointId face[3];
-        for (int c = 0; c < 3; ++c)
-        {
-          face[c] = corners[TetrahedronFaces[f][c]];
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          if (face[c] == p)
-          {
-            points.push_back(face[(c + 1) % 3]);
-            points.push_back(face[(c + 2) % 3]);
-            if (fan)
-            {
-              fan->push_back({ { face[(c + 1) % 3], face[(c + 2) % 3] } });
-            }
-          }
-        }
-      }
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
-  };
   m_State.complex.GetStar(v, m_OtherStar);
-  std::vector<std::array<PointId, 2>> fan;
-  const auto                          ofU = fanPoints(u, m_Star, &fan);
-  const auto                          ofV = fanPoints(v, m_OtherStar, nullptr);
-  std::vector<PointId>                common;
-  std::set_intersection(ofU.begin(), ofU.end(), ofV.begin(), ofV.end(), std::back_inserter(common));
-  if (common.size() != 2)
+  const auto fan = this->FanOf(u, m_Star);
+  const auto otherFan = this->FanOf(v, m_OtherStar);
+  const auto countCommon = [&](bool onCurves) {
+    const auto           ofU = EndsOf(fan, onCurves);
+    const auto           ofV = EndsOf(otherFan, onCurves);
+    std::vector<PointId> common;
+    std::set_intersection(ofU.begin(), ofU.end(), ofV.begin(), ofV.end(), std::back_inserter(common));
+    return int(common.size());
+  };
+  if (countCommon(false) != materials || (materials > 2 && countCommon(true) > 0))
   {
     return false;
   }
-  for (const auto & edge : fan)
+  // two triangles would become one, and what is between them vanish
+  const auto isOfU = [&](const FanTriangle & other) {
+    return std::any_of(fan.begin(), fan.end(), [&](const FanTriangle & triangle) {
+      return std::minmax(triangle.b, triangle.c) == std::minmax(other.b, other.c);
+    });
+  };
+  if (std::any_of(otherFan.begin(), otherFan.end(), isOfU))
   {
-    if (edge[0] == v || edge[1] == v)
-    {
-      continue;
-    }
-    const Vector & p = m_State.points[edge[0]];
-    const Vector & q = m_State.points[edge[1]];
-    const Vector   before = (p - m_State.points[u]).cross(q - m_State.points[u]);
-    const Vector   after = (p - m_State.points[v]).cross(q - m_State.points[v]);
-    if (before.dot(after) <= 0.5 * before.norm() * after.norm() ||
-        TriangleRadiusRatio(m_State.points[v], p, q) < floor ||
-        m_State.DistanceToInterface(materials[0], materials[1], (p + q + m_State.points[v]) / 3.0, edge[0]) >
-          m_State.parameters.interfaceTolerance)
-    {
-      return false;
-    }
+    return false;
   }
-  return true;
+  const Vector & x = m_State.points[u];
+  const Vector & y = m_State.points[v];
+  const double   tolerance = m_State.parameters.interfaceTolerance;
+  return std::all_of(fan.begin(), fan.end(), [&](const FanTriangle & triangle) {
+    if (triangle.b == v || triangle.c == v)
+    {
+      return true;
+    }
+    const Vector & p = m_State.points[triangle.b];
+    const Vector & q = m_State.points[triangle.c];
+    const Vector   before = (p - x).cross(q - x);
+    const Vector   after = (p - y).cross(q - y);
+    return before.dot(after) > 0.5 * before.norm() * after.norm() && TriangleRadiusRatio(y, p, q) >= floor &&
+           m_State.DistanceToInterface(triangle.own, triangle.beyond, (p + q + y) / 3.0, triangle.b) <= tolerance;
+  });
 }
 } // namespace mmm

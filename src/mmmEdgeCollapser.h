@@ -31,7 +31,7 @@ public:
   {}
 
   /** Pulls point u into point v, if that makes the worst tetrahedron around u better. A point of the interior may go
-   * anywhere; one of a surface along the surface, by the link condition. */
+   * anywhere; one of a surface or a curve along it, by the link condition. */
   bool
   Collapse(OptimizerState::Id t, PointId u, PointId v);
   /** Pulls point u into point v, if all triangles of the interface around u are better than a radius ratio then. */
@@ -39,6 +39,15 @@ public:
   CollapseForTriangles(OptimizerState::Id t, PointId u, PointId v, double radiusRatio);
 
 private:
+  /** A triangle of an interface at some point, by its other corners, and the materials beside it. */
+  struct FanTriangle
+  {
+    PointId  b;
+    PointId  c;
+    Material own;
+    Material beyond;
+  };
+
   bool
   CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, double floor);
   std::vector<Material>
@@ -46,11 +55,13 @@ private:
   bool
   LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
   bool
-  MayCollapseOnInterface(OptimizerState::Id            t,
-                         PointId                       u,
-                         PointId                       v,
-                         const std::vector<Material> & materials,
-                         double                        floor);
+  IsOnCellOf(PointId u, PointId v, std::size_t materials) const;
+  std::vector<FanTriangle>
+  FanOf(PointId p, const std::vector<OptimizerState::Id> & star) const;
+  static std::vector<PointId>
+  EndsOf(const std::vector<FanTriangle> & fan, bool onCurves);
+  bool
+  MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, int materials, double floor);
 
   OptimizerState &                m_State;
   TetrahedralComplex::Ring        m_Ring;

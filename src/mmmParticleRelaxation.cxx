@@ -40,7 +40,7 @@ constexpr double LonelyEnergy = 0.65;
  * with a larger h. */
 constexpr double ListingMargin = 1.2;
 constexpr int    SweepsPerListing = 4;
-constexpr float Damping = 0.7f;
+constexpr float  Damping = 0.7f;
 /** Factors on it where a particle turns back, and where it does not. */
 constexpr float  Shorter = 0.3f;
 constexpr float  Longer = 1.1f;
