@@ -491,11 +491,14 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
     return false;
   }
   double worst = this->WorstTriangleAround(p, m_Points[p]);
-  if (worst >= radiusRatio)
+  Vector onCell = m_Points[p];
+  if (worst >= radiusRatio || !m_Constraint.Project(p, onCell))
   {
     return false;
   }
-  double size = 0.0;
+  // a point that had to leave its cell is not kept from moving by that
+  const double slack = (m_Points[p] - onCell).norm();
+  double       size = 0.0;
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
@@ -508,7 +511,7 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
     for (int d = 0; d < SearchDirections; ++d)
     {
       Vector x = m_Points[p] + step * m_Constraint.AlongCell(p, m_Points[p], SearchDirection(d));
-      if (!this->Admit(p, x, 0.0))
+      if (!this->Admit(p, x, slack))
       {
         continue;
       }

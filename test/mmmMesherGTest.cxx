@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmMeshQuality.h"
+#include "mmmHash.h"
 #include "mmmMesher.h"
 #include "mmmTestScenes.h"
 #include "mmmTetGen.h"
@@ -41,11 +42,10 @@ struct Built
 };
 
 Built
-Build(const Scene & scene, int exterior)
+Build(const Scene & scene, int exterior, mmm::MeshingParameters parameters = {})
 {
-  Built                  built;
-  mmm::Monitor           monitor;
-  mmm::MeshingParameters parameters;
+  Built        built;
+  mmm::Monitor monitor;
   parameters.exterior = exterior;
   built.sizes = mmm::ComputeSizing(*scene.indicators, exterior, {}, {}, monitor);
   mmm::BuildMesh(
@@ -82,6 +82,20 @@ MakeHalves()
   return Scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 3, [](const Vector & x) {
     const Vector d = x - Vector(13.2, 12.9, 13.1);
     return d.norm() > 9.0 ? 0 : (d[2] < 0.2 ? 1 : 2);
+  }));
+}
+/** Blobs of three materials with a voxel of another one here and there: parts, layers and junctions of one voxel. */
+Scene
+MakeNoise()
+{
+  return Scene(MakeMaterials({ { 22, 21, 20 } }, Vector::Ones(), 4, [](const Vector & x) {
+    if (x.minCoeff() < 3.0 || x[0] > 18.0 || x[1] > 17.0 || x[2] > 16.0)
+    {
+      return 0;
+    }
+    const auto draw = mmm::Hash(std::uint64_t(x[0] + 32.0 * (x[1] + 32.0 * x[2])));
+    const int  blob = int(1.5 + 1.4 * std::sin(0.9 * x[0] + 0.4 * x[2]) * std::sin(0.8 * x[1]));
+    return draw % 8 == 0 ? int(draw / 8 % 4) : blob + 1;
   }));
 }
 } // namespace
@@ -152,6 +166,40 @@ TEST(Mesher, RegionsHaveTheTopologyOfTheirMaterials)
     EXPECT_EQ(label.betti[1], 0);
     EXPECT_EQ(label.betti[2], 0);
   }
+}
+
+TEST(Mesher, OptimizationKeepsTheTopology)
+{
+  const Scene            scene = MakeNoise();
+  mmm::MeshingParameters parameters;
+  parameters.compareTopology = true;
+  const auto optimized = Build(scene, 0, parameters).result.report;
+  parameters.optimization.rounds = 0;
+  const auto before = Build(scene, 0, parameters).result.report;
+  ASSERT_GT(optimized.optimization.collapses, 50u);
+  ASSERT_EQ(optimized.topology.size(), before.topology.size());
+  for (std::size_t m = 0; m < before.topology.size(); ++m)
+  {
+    EXPECT_EQ(optimized.topology[m].mesh, before.topology[m].mesh) << "material " << before.topology[m].label;
+  }
+}
+
+TEST(Mesher, ParticlesOfBentLayersComeToRest)
+{
+  const auto   built = Build(MakeNoise(), 0);
+  const auto & relaxation = built.result.report.relaxation;
+  for (int dimension = 1; dimension <= 2; ++dimension)
+  {
+    EXPECT_TRUE(relaxation[dimension].converged) << relaxation[dimension].meanMove << " h, dimension " << dimension;
+    EXPECT_LT(relaxation[dimension].meanMove, mmm::RelaxationParameters().tolerance);
+  }
+}
+
+TEST(Mesher, NoTriangleOfNoiseIsFlat)
+{
+  const auto quality = Quality(Build(MakeNoise(), 0).result);
+  EXPECT_GT(quality.interfaceRadiusRatio.minimum, 0.3);
+  EXPECT_GT(quality.interfaceRadiusRatio.firstPercentile, 0.6);
 }
 
 TEST(Mesher, LeavesEnclosedExteriorEmpty)
