@@ -242,7 +242,10 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
   }
   const Vector & x = m_State.points[u];
   const Vector & y = m_State.points[v];
-  const double   tolerance = m_State.parameters.interfaceTolerance;
+  const auto     isNear = [&](const FanTriangle & triangle, const Vector & place) {
+    return m_State.DistanceToInterface(triangle.own, triangle.beyond, place, triangle.b) <=
+           m_State.parameters.interfaceTolerance;
+  };
   return std::all_of(fan.begin(), fan.end(), [&](const FanTriangle & triangle) {
     if (triangle.b == v || triangle.c == v)
     {
@@ -252,8 +255,9 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
     const Vector & q = m_State.points[triangle.c];
     const Vector   before = (p - x).cross(q - x);
     const Vector   after = (p - y).cross(q - y);
+    const bool     keepsEdges = materials == 2 || (isNear(triangle, 0.5 * (p + y)) && isNear(triangle, 0.5 * (q + y)));
     return before.dot(after) > 0.5 * before.norm() * after.norm() && TriangleRadiusRatio(y, p, q) >= floor &&
-           m_State.DistanceToInterface(triangle.own, triangle.beyond, (p + q + y) / 3.0, triangle.b) <= tolerance;
+           keepsEdges && isNear(triangle, (p + q + y) / 3.0);
   });
 }
 } // namespace mmm

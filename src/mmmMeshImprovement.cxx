@@ -85,6 +85,8 @@ ImproveMesh(Material                outside,
   OptimizationParameters optimization;
   optimization.rounds = parameters.rounds;
   optimization.interfaceTolerance = 1.0;
+  // who brings tetrahedra that are good already does not want them worse for the sake of triangles
+  optimization.angleToKeepBesideTriangles = optimization.angleToKeep;
   TetrahedralComplex complex(mesh, points.size());
   const auto         report = OptimizeMesh(constraint, outside, optimization, points, complex, monitor);
   mesh = complex.GetMesh();
