@@ -19,6 +19,7 @@
 #include "mmmTestLabelImages.h"
 #include "mmmTestMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -76,6 +77,13 @@ TEST(LabelImageToTetrahedralMeshFilter, VolumeOfASphereIsRight)
     area += mmmtest::TriangleNormal(points, corners).norm();
   }
   EXPECT_NEAR(area, 400.0 * itk::Math::pi, 0.03 * 400.0 * itk::Math::pi);
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, ACubeOfThreeVoxelsKeepsItsVolume)
+{
+  const auto filter = RunFilter(mmmtest::MakeImage<LabelImage>(
+    15, 15, 15, [](int i, int j, int k) { return std::min({ i, j, k }) >= 6 && std::max({ i, j, k }) < 9 ? 1 : 0; }));
+  EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), 27.0, 2.7);
 }
 
 TEST(LabelImageToTetrahedralMeshFilter, TetrahedraArePositiveAndEveryPointIsUsed)
