@@ -86,6 +86,18 @@ TEST(LabelImageToTetrahedralMeshFilter, ACubeOfThreeVoxelsKeepsItsVolume)
   EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), 27.0, 2.7);
 }
 
+TEST(LabelImageToTetrahedralMeshFilter, SmallLabelsAreSampledFinelyUnlessCoarseMeshesAreAskedFor)
+{
+  const auto image = mmmtest::MakeImage<LabelImage>(
+    15, 15, 15, [](int i, int j, int k) { return std::min({ i, j, k }) >= 5 && std::max({ i, j, k }) < 9 ? 1 : 0; });
+  // edges of a voxel make some 70 triangles, edges of two voxels 30
+  EXPECT_GT(RunFilter(image)->GetSurface()->GetNumberOfCells(), 100u);
+  const auto coarse = MakeFilter(image);
+  coarse->SetMinimumSize(2.0);
+  coarse->Update();
+  EXPECT_LT(coarse->GetSurface()->GetNumberOfCells(), 50u);
+}
+
 TEST(LabelImageToTetrahedralMeshFilter, TetrahedraArePositiveAndEveryPointIsUsed)
 {
   const auto            filter = RunFilter(mmmtest::MakeHalves<LabelImage>(24, 8.0));
