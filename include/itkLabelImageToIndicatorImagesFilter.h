@@ -40,8 +40,9 @@ namespace itk
  *
  * The boundary, first on the faces of the voxels, is anti-aliased (Whitaker 2000: mean curvature flow that leaves every
  * voxel centre on its side) and then tightened (Williams and Rossignac 2005: within what closing by a ball of Radius
- * adds and opening takes away, it moves by mean curvature to the shortest one). At the image's border labels are
- * continued outwards.
+ * adds and opening takes away, it moves by mean curvature to the shortest one). Then each connected part of a label
+ * gets the volume of its voxels back, within half a percent, where smoothing changed it. At the image's border labels
+ * are continued outwards. With a Radius of 0 none of this is done.
  *
  * There are as many outputs as the image has labels, in the labels' order, all with the origin, spacing and direction
  * of the input. Output n, the indicator of GetLabels()[n], covers the label's bounding box and the band around it, so

@@ -21,6 +21,7 @@
 #include "mmmGridGeometry.h"
 #include "mmmLabels.h"
 #include "mmmOutOfMemory.h"
+#include "mmmVolumeCorrection.h"
 
 #include "itkPrintHelper.h"
 
@@ -28,6 +29,7 @@
 #include <cmath>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace itk
 {
@@ -165,12 +167,22 @@ try
   mmm::StageLog      log;
   mmm::FilterMonitor monitor(this, log, { { "indicators", 1.0 } });
   monitor.BeginStage("indicators");
+  std::vector<mmm::Block<float>> blocks(m_Labels.size());
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
-    const auto block = mmm::ComputeSmoothIndicator(m_Materials, static_cast<mmm::Material>(n), m_Boxes[n], radius);
-    this->FillOutput(block, geometry.GetUnit(), this->GetOutput(static_cast<unsigned int>(n)));
-    monitor.Report(static_cast<double>(n + 1) / m_Labels.size());
+    blocks[n] = mmm::ComputeSmoothIndicator(m_Materials, static_cast<mmm::Material>(n), m_Boxes[n], radius);
+    monitor.Report(static_cast<double>(n + 1) / (m_Labels.size() + 1));
   }
+  if (radius > 0.0)
+  {
+    mmm::CorrectVolumes(m_Materials, blocks);
+  }
+  for (std::size_t n = 0; n < m_Labels.size(); ++n)
+  {
+    this->FillOutput(blocks[n], geometry.GetUnit(), this->GetOutput(static_cast<unsigned int>(n)));
+    blocks[n] = mmm::Block<float>();
+  }
+  monitor.Report(1.0);
   m_Materials = mmm::MaterialImage();
   m_Boxes.clear();
 }

@@ -27,6 +27,10 @@ namespace mmm
 /** Indicators are known up to this distance from their zero level, in units of the smallest voxel spacing. */
 constexpr double IndicatorBandWidth = 3.0;
 
+/** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
+ * than half a voxel lets it yield: by how much the radius is larger. */
+constexpr float CentreMargin = 0.1f;
+
 /** Interfaces of parts of one voxel's thickness stay this far from the voxels' centres: what is thinner cannot be
  * meshed everywhere. */
 constexpr float ThinCentreMargin = 0.2f;

@@ -24,16 +24,22 @@
 
 namespace mmm
 {
-/** \brief The grid nodes where a labelled tetrahedralization misses a part of a material.
- *
- * Such a node lies in a tetrahedron of another material, and so do all of its 6 neighbours of its own material: it is
- * not the interface that is a little off, but a thread, a sheet or a tip is gone. `exterior` is the material of what
- * the tetrahedra do not fill. The nodes are sorted. */
-MultiMaterialMeshing_EXPORT std::vector<std::size_t>
-                            FindLostNodes(const IndicatorSet &        indicators,
-                                          const std::vector<Vector> & points,
-                                          const TetrahedralMesh &     mesh,
-                                          Material                    exterior);
+/** \brief The grid nodes that lie in a tetrahedron of another material. Both lists are sorted. */
+struct LostNodes
+{
+  /** Those whose 6 neighbours of their own material are lost, too: it is not the interface that is a little off, but a
+   * thread, a sheet or a tip is gone. */
+  std::vector<std::size_t> parts;
+  /** The others of small labels that lose more than a few of their nodes. */
+  std::vector<std::size_t> corners;
+};
+
+/** What a labelled tetrahedralization misses; `exterior` is the material of what the tetrahedra do not fill. */
+MultiMaterialMeshing_EXPORT LostNodes
+FindLostNodes(const IndicatorSet &        indicators,
+              const std::vector<Vector> & points,
+              const TetrahedralMesh &     mesh,
+              Material                    exterior);
 } // namespace mmm
 
 #endif

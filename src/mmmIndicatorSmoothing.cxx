@@ -30,9 +30,6 @@ namespace
 {
 /** Labels are continued this many nodes beyond the image border, so that the flow meets it at right angles. */
 constexpr int BorderContinuation = 3;
-/** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
- * than half a voxel lets it yield: by how much the radius is larger. */
-constexpr float CentreMargin = 0.1f;
 /** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
 constexpr float MortarSlack = 0.05f;
 /** The boundary moves less than a voxel: nodes further away need not be solved for. */

@@ -27,6 +27,12 @@ namespace mmm
 {
 namespace
 {
+/** Labels of no more voxels are small: a few lost ones count, and it costs little to sample all of it more finely. */
+constexpr std::size_t SmallLabel = 5000;
+/** The share of its voxels that a small label may lose; the smallest ones may lose none. */
+constexpr double      AcceptedLoss = 0.06;
+constexpr std::size_t SmallestLabels = 500;
+
 enum State : std::uint8_t
 {
   FarFromInterfaces,
@@ -139,7 +145,7 @@ VisitNodesInside(const Grid & grid, const Vector (&corners)[4], TVisitor && visi
 }
 } // namespace
 
-std::vector<std::size_t>
+LostNodes
 FindLostNodes(const IndicatorSet &        indicators,
               const std::vector<Vector> & points,
               const TetrahedralMesh &     mesh,
@@ -162,10 +168,24 @@ FindLostNodes(const IndicatorSet &        indicators,
       });
     }
   });
-  std::vector<std::size_t> lost;
+  const auto isLost = [&](std::size_t n) {
+    return states[n] == Wrong || (states[n] == Unvisited && materials[n] != exterior);
+  };
+  std::vector<std::size_t> all(indicators.GetNumberOfMaterials(), 0);
+  std::vector<std::size_t> wrong(all.size(), 0);
   for (std::size_t n = 0; n < states.size(); ++n)
   {
-    if (states[n] == FarFromInterfaces || states[n] == Right || (states[n] == Unvisited && materials[n] == exterior))
+    ++all[materials[n]];
+    wrong[materials[n]] += isLost(n);
+  }
+  const auto isPoor = [&](Material m) {
+    const double accepted = all[m] <= SmallestLabels ? 0.0 : AcceptedLoss * double(all[m]);
+    return m != exterior && all[m] <= SmallLabel && double(wrong[m]) > accepted;
+  };
+  LostNodes lost;
+  for (std::size_t n = 0; n < states.size(); ++n)
+  {
+    if (!isLost(n))
     {
       continue;
     }
@@ -176,7 +196,11 @@ FindLostNodes(const IndicatorSet &        indicators,
     });
     if (!found)
     {
-      lost.push_back(n);
+      lost.parts.push_back(n);
+    }
+    else if (isPoor(materials[n]))
+    {
+      lost.corners.push_back(n);
     }
   }
   return lost;

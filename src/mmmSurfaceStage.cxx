@@ -26,6 +26,7 @@
 #include "mmmSurfaceRelaxation.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mmm
 {
@@ -39,6 +40,8 @@ constexpr int SurfaceSweeps = 2;
 constexpr double RecoverySize = 0.5;
 constexpr double RecoveryGrowth = 0.5;
 constexpr double RecoveryReach = 6.0;
+/** Corners of small labels are not worth it where sizes are this large, which is by someone's wish. */
+constexpr float CoarseSize = 1.75f;
 
 /** Makes sizes small at some nodes, and so around them that they grow with distance no faster than usual. */
 void
@@ -183,10 +186,14 @@ BuildSurface(const IndicatorSet & indicators,
     if (round < SurfaceRounds)
     {
       const auto lost = FindLostNodes(indicators, particles.positions, labelled, exterior);
+      auto       nodes = lost.parts;
+      std::copy_if(lost.corners.begin(), lost.corners.end(), std::back_inserter(nodes), [&](std::size_t n) {
+        return sizes[n] < CoarseSize;
+      });
       RelaxOnSurface(indicators, sizing, interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
       MergeCloseParticles(indicators, sizing, particles);
-      RefineSizes(indicators.GetGrid(), lost, sizes);
-      SeedParticlesAround(indicators, sizing, exteriorIndex, seed, lost, particles);
+      RefineSizes(indicators.GetGrid(), nodes, sizes);
+      SeedParticlesAround(indicators, sizing, exteriorIndex, seed, nodes, particles);
     }
     monitor.Report(double(round + 1) / (SurfaceRounds + 1));
   }

@@ -19,6 +19,7 @@
 #include "mmmTestLabelImages.h"
 #include "mmmTestMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -76,6 +77,25 @@ TEST(LabelImageToTetrahedralMeshFilter, VolumeOfASphereIsRight)
     area += mmmtest::TriangleNormal(points, corners).norm();
   }
   EXPECT_NEAR(area, 400.0 * itk::Math::pi, 0.03 * 400.0 * itk::Math::pi);
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, ACubeOfThreeVoxelsKeepsItsVolume)
+{
+  const auto filter = RunFilter(mmmtest::MakeImage<LabelImage>(
+    15, 15, 15, [](int i, int j, int k) { return std::min({ i, j, k }) >= 6 && std::max({ i, j, k }) < 9 ? 1 : 0; }));
+  EXPECT_NEAR(mmmtest::VolumesOf(filter->GetOutput()).at(1), 27.0, 2.7);
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, SmallLabelsAreSampledFinelyUnlessCoarseMeshesAreAskedFor)
+{
+  const auto image = mmmtest::MakeImage<LabelImage>(
+    15, 15, 15, [](int i, int j, int k) { return std::min({ i, j, k }) >= 5 && std::max({ i, j, k }) < 9 ? 1 : 0; });
+  // edges of a voxel make some 70 triangles, edges of two voxels 30
+  EXPECT_GT(RunFilter(image)->GetSurface()->GetNumberOfCells(), 100u);
+  const auto coarse = MakeFilter(image);
+  coarse->SetMinimumSize(2.0);
+  coarse->Update();
+  EXPECT_LT(coarse->GetSurface()->GetNumberOfCells(), 50u);
 }
 
 TEST(LabelImageToTetrahedralMeshFilter, TetrahedraArePositiveAndEveryPointIsUsed)

@@ -56,31 +56,15 @@ MakeQuarters()
   return Scene(MakeMaterials(
     { { 12, 12, 6 } }, Vector::Ones(), 4, [](const Vector & x) { return (x[0] > 5.5) + 2 * (x[1] > 5.5); }));
 }
-} // namespace
 
-TEST(LostNodes, AreThoseOfAThreadThatTheTetrahedraMiss)
+/** What is lost where the interface of a slab, which is at 4.5, is almost a voxel too low: nodes beside it are wrong,
+ * but have right neighbors. */
+mmm::LostNodes
+FindLostNodesOfSlab(int size, mmm::Material exterior)
 {
-  const Scene          scene(MakeMaterials(
-    { { 11, 11, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] == 5.0 && x[1] == 4.0 ? 1 : 0; }));
-  const auto           points = BoxPoints(10.2);
-  mmm::TetrahedralMesh mesh;
-  mesh.tetrahedra = mmm::DelaunayTetrahedralization(points);
-  mesh.materials.assign(mesh.tetrahedra.size(), 0);
-  const auto lost = mmm::FindLostNodes(*scene.indicators, points, mesh, 0);
-  ASSERT_FALSE(lost.empty());
-  for (const auto n : lost)
-  {
-    EXPECT_EQ(scene.image.materials[n], 1);
-  }
-  EXPECT_TRUE(std::is_sorted(lost.begin(), lost.end()));
-}
-
-TEST(LostNodes, AreNoneWhereTheInterfaceIsALittleOff)
-{
-  // the interface of a slab, a voxel too low: nodes beside it are wrong, but have right neighbors
   const Scene scene(
-    MakeMaterials({ { 11, 11, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[2] > 4.5 ? 1 : 0; }));
-  auto points = BoxPoints(10.2);
+    MakeMaterials({ { size, size, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[2] > 4.5 ? 1 : 0; }));
+  auto points = BoxPoints(size - 0.8);
   for (int corner = 0; corner < 4; ++corner)
   {
     points.push_back(Vector(points[corner][0], points[corner][1], 3.7));
@@ -92,8 +76,43 @@ TEST(LostNodes, AreNoneWhereTheInterfaceIsALittleOff)
     const double middle = 0.25 * (points[t[0]][2] + points[t[1]][2] + points[t[2]][2] + points[t[3]][2]);
     mesh.materials.push_back(middle > 3.7 ? 1 : 0);
   }
-  EXPECT_TRUE(mmm::FindLostNodes(*scene.indicators, points, mesh, 0).empty());
+  return mmm::FindLostNodes(*scene.indicators, points, mesh, exterior);
 }
+} // namespace
+
+TEST(LostNodes, AreThoseOfAThreadThatTheTetrahedraMiss)
+{
+  const Scene          scene(MakeMaterials(
+    { { 11, 11, 11 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] == 5.0 && x[1] == 4.0 ? 1 : 0; }));
+  const auto           points = BoxPoints(10.2);
+  mmm::TetrahedralMesh mesh;
+  mesh.tetrahedra = mmm::DelaunayTetrahedralization(points);
+  mesh.materials.assign(mesh.tetrahedra.size(), 0);
+  const auto lost = mmm::FindLostNodes(*scene.indicators, points, mesh, 0);
+  ASSERT_FALSE(lost.parts.empty());
+  for (const auto n : lost.parts)
+  {
+    EXPECT_EQ(scene.image.materials[n], 1);
+  }
+  EXPECT_TRUE(std::is_sorted(lost.parts.begin(), lost.parts.end()));
+}
+
+TEST(LostNodes, AreNoneWhereTheInterfaceIsALittleOff)
+{
+  const auto lost = FindLostNodesOfSlab(11, 0);
+  EXPECT_TRUE(lost.parts.empty());
+  EXPECT_TRUE(lost.corners.empty());
+}
+
+TEST(LostNodes, AreAllOfASmallLabelThatLosesMany)
+{
+  const auto lost = FindLostNodesOfSlab(11, 2);
+  EXPECT_TRUE(lost.parts.empty());
+  EXPECT_EQ(lost.corners.size(), 121u); // those in the layer at 4
+  EXPECT_TRUE(std::is_sorted(lost.corners.begin(), lost.corners.end()));
+}
+
+TEST(LostNodes, AreNoneOfALargeLabelThatLosesMany) { EXPECT_TRUE(FindLostNodesOfSlab(35, 2).corners.empty()); }
 
 TEST(ParticleMerging, JoinsCloseJunctionsToOnePointOfAllTheirMaterials)
 {

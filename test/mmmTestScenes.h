@@ -22,6 +22,7 @@
 #include "mmmIndicatorSmoothing.h"
 #include "mmmSizing.h"
 #include "mmmTestShapes.h"
+#include "mmmVolumeCorrection.h"
 
 #include <memory>
 
@@ -54,11 +55,19 @@ struct Scene
   explicit Scene(mmm::MaterialImage materials, double radius = 0.5)
     : image(std::move(materials))
   {
-    const auto                        boxes = mmm::ComputeMaterialBoxes(image);
-    std::vector<mmm::IndicatorBricks> bricks;
+    const auto                     boxes = mmm::ComputeMaterialBoxes(image);
+    std::vector<mmm::Block<float>> blocks;
     for (std::size_t m = 0; m < boxes.size(); ++m)
     {
-      const auto                        block = mmm::ComputeSmoothIndicator(image, mmm::Material(m), boxes[m], radius);
+      blocks.push_back(mmm::ComputeSmoothIndicator(image, mmm::Material(m), boxes[m], radius));
+    }
+    if (radius > 0.0)
+    {
+      mmm::CorrectVolumes(image, blocks);
+    }
+    std::vector<mmm::IndicatorBricks> bricks;
+    for (const auto & block : blocks)
+    {
       const mmm::BlockView<const float> view{ block.lower, block.size, block.values.data() };
       bricks.emplace_back(image.grid, view, -float(mmm::IndicatorBandWidth));
     }
