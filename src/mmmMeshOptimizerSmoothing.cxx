@@ -131,18 +131,10 @@ PointSmoother::ClassifyPoints()
     {
       continue;
     }
-    std::vector<Material> present;
-    if (outside[p])
+    auto present = this->MaterialsAround(PointId(p));
+    if (outside[p] && std::find(present.begin(), present.end(), m_Exterior) == present.end())
     {
       present.push_back(m_Exterior);
-    }
-    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
-    {
-      const Material m = m_Materials[*s];
-      if (std::find(present.begin(), present.end(), m) == present.end())
-      {
-        present.push_back(m);
-      }
     }
     std::vector<Material> own;
     for (const Material m : m_Cells[p])
@@ -159,7 +151,40 @@ PointSmoother::ClassifyPoints()
     {
       m_Freedom[p] = Freedom::OnCell;
     }
+    else if (!outside[p] && m_Constraint.MayLeaveCell(PointId(p)))
+    {
+      m_Freedom[p] = Freedom::NearInterfaces;
+    }
   }
+}
+
+std::vector<Material>
+PointSmoother::MaterialsAround(PointId p) const
+{
+  std::vector<Material> materials;
+  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
+  {
+    if (std::find(materials.begin(), materials.end(), m_Materials[*s]) == materials.end())
+    {
+      materials.push_back(m_Materials[*s]);
+    }
+  }
+  return materials;
+}
+
+/** The largest distance of x from the interfaces of some materials. */
+double
+PointSmoother::DistanceFromInterfaces(const std::vector<Material> & materials, PointId p, const Vector & x) const
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < materials.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      largest = std::max(largest, m_Constraint.DistanceToInterface(materials[i], materials[j], x, p));
+    }
+  }
+  return largest;
 }
 
 void
@@ -370,6 +395,10 @@ PointSmoother::TotalAround(PointId p, const Vector & x) const
 bool
 PointSmoother::MoveUphillOnAverage(PointId p)
 {
+  if (m_Freedom[p] == Freedom::NearInterfaces)
+  {
+    return false;
+  }
   double shortest = 1e300;
   for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
@@ -416,6 +445,10 @@ PointSmoother::MoveUphillOnAverage(PointId p)
 bool
 PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
 {
+  if (m_Freedom[p] == Freedom::NearInterfaces)
+  {
+    return false;
+  }
   std::array<std::pair<double, std::uint32_t>, 3> poorest;
   constexpr double None = 2.0; // a point of an outer corner may have fewer than three tetrahedra
   poorest.fill({ None, 0 });
@@ -486,19 +519,23 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
 bool
 PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
 {
-  if (m_Freedom[p] != Freedom::OnCell)
+  const bool isOnCell = m_Freedom[p] == Freedom::OnCell;
+  if (!isOnCell && m_Freedom[p] != Freedom::NearInterfaces)
   {
     return false;
   }
   double worst = this->WorstTriangleAround(p, m_Points[p]);
   Vector onCell = m_Points[p];
-  if (worst >= radiusRatio || !m_Constraint.Project(p, onCell))
+  if (worst >= radiusRatio || (isOnCell && !m_Constraint.Project(p, onCell)))
   {
     return false;
   }
-  // a point that had to leave its cell is not kept from moving by that
+  // a point that had to leave its cell, or the interfaces, is not kept from moving by that
   const double slack = (m_Points[p] - onCell).norm();
-  double       size = 0.0;
+  const auto   materials = isOnCell ? std::vector<Material>() : this->MaterialsAround(p);
+  const double furthest =
+    std::max(m_Parameters.interfaceTolerance, this->DistanceFromInterfaces(materials, p, m_Points[p]));
+  double size = 0.0;
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
@@ -510,8 +547,9 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   {
     for (int d = 0; d < SearchDirections; ++d)
     {
-      Vector x = m_Points[p] + step * m_Constraint.AlongCell(p, m_Points[p], SearchDirection(d));
-      if (!this->Admit(p, x, slack))
+      const Vector direction = SearchDirection(d);
+      Vector       x = m_Points[p] + step * (isOnCell ? m_Constraint.AlongCell(p, m_Points[p], direction) : direction);
+      if (isOnCell ? !this->Admit(p, x, slack) : this->DistanceFromInterfaces(materials, p, x) > furthest)
       {
         continue;
       }

@@ -66,10 +66,12 @@ QualityOfAngle(double degrees)
 class PointSmoother
 {
 public:
-  /** A point moves freely in space, within its cell, or not at all. */
+  /** A point moves freely in space, within its cell, or not at all; one at which other materials meet than its cell
+   * says moves near their interfaces, and only for the sake of triangles. */
   enum class Freedom : std::uint8_t
   {
     Fixed,
+    NearInterfaces,
     OnCell,
     Free
   };
@@ -107,6 +109,10 @@ private:
   {
     return m_Materials[t] == m_Exterior;
   }
+  std::vector<Material>
+  MaterialsAround(PointId p) const;
+  double
+  DistanceFromInterfaces(const std::vector<Material> & materials, PointId p, const Vector & x) const;
   void
   ColourPoints();
   /** Calls move(point) for all points that are not fixed; returns how many moved. */

@@ -195,6 +195,13 @@ TEST(Mesher, ParticlesOfBentLayersComeToRest)
   }
 }
 
+TEST(Mesher, NoTriangleOfNoiseIsFlat)
+{
+  const auto quality = Quality(Build(MakeNoise(), 0).result);
+  EXPECT_GT(quality.interfaceRadiusRatio.minimum, 0.3);
+  EXPECT_GT(quality.interfaceRadiusRatio.firstPercentile, 0.6);
+}
+
 TEST(Mesher, LeavesEnclosedExteriorEmpty)
 {
   const Scene  scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 2, [](const Vector & x) {
