@@ -216,8 +216,32 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
   {
     return false;
   }
-  m_State.complex.GetStar(v, m_OtherStar);
+  const Vector & x = m_State.points[u];
+  const Vector & y = m_State.points[v];
+  const auto     isNear = [&](const FanTriangle & triangle, const Vector & place) {
+    return m_State.DistanceToInterface(triangle.own, triangle.beyond, place, triangle.b) <=
+           m_State.parameters.interfaceTolerance;
+  };
+  const auto staysGood = [&](const FanTriangle & triangle) {
+    if (triangle.b == v || triangle.c == v)
+    {
+      return true;
+    }
+    const Vector & p = m_State.points[triangle.b];
+    const Vector & q = m_State.points[triangle.c];
+    const Vector   before = (p - x).cross(q - x);
+    const Vector   after = (p - y).cross(q - y);
+    return before.dot(after) > 0.5 * before.norm() * after.norm() && TriangleRadiusRatio(y, p, q) >= floor &&
+           isNear(triangle, (p + q + y) / 3.0) &&
+           (materials == 2 || (isNear(triangle, 0.5 * (p + y)) && isNear(triangle, 0.5 * (q + y))));
+  };
+  // what fails most often comes first
   const auto fan = this->FanOf(u, m_Star);
+  if (!std::all_of(fan.begin(), fan.end(), staysGood))
+  {
+    return false;
+  }
+  m_State.complex.GetStar(v, m_OtherStar);
   const auto otherFan = this->FanOf(v, m_OtherStar);
   const auto countCommon = [&](bool onCurves) {
     const auto           ofU = EndsOf(fan, onCurves);
@@ -236,28 +260,6 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
       return std::minmax(triangle.b, triangle.c) == std::minmax(other.b, other.c);
     });
   };
-  if (std::any_of(otherFan.begin(), otherFan.end(), isOfU))
-  {
-    return false;
-  }
-  const Vector & x = m_State.points[u];
-  const Vector & y = m_State.points[v];
-  const auto     isNear = [&](const FanTriangle & triangle, const Vector & place) {
-    return m_State.DistanceToInterface(triangle.own, triangle.beyond, place, triangle.b) <=
-           m_State.parameters.interfaceTolerance;
-  };
-  return std::all_of(fan.begin(), fan.end(), [&](const FanTriangle & triangle) {
-    if (triangle.b == v || triangle.c == v)
-    {
-      return true;
-    }
-    const Vector & p = m_State.points[triangle.b];
-    const Vector & q = m_State.points[triangle.c];
-    const Vector   before = (p - x).cross(q - x);
-    const Vector   after = (p - y).cross(q - y);
-    const bool     keepsEdges = materials == 2 || (isNear(triangle, 0.5 * (p + y)) && isNear(triangle, 0.5 * (q + y)));
-    return before.dot(after) > 0.5 * before.norm() * after.norm() && TriangleRadiusRatio(y, p, q) >= floor &&
-           keepsEdges && isNear(triangle, (p + q + y) / 3.0);
-  });
+  return std::none_of(otherFan.begin(), otherFan.end(), isOfU);
 }
 } // namespace mmm
