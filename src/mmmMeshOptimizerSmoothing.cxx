@@ -285,6 +285,14 @@ PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
   return worst;
 }
 
+/** What tetrahedra around p have to be better than where it moves: those of larger angles than this, in degrees, may
+ * lose down to it. */
+double
+PointSmoother::LeastAround(PointId p, double angle) const
+{
+  return std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(angle));
+}
+
 double
 PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
 {
@@ -428,7 +436,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   {
     return false;
   }
-  const double least = std::min(this->WorstAround(p, from, -2.0), QualityOfAngle(m_Parameters.angleToKeep));
+  const double least = this->LeastAround(p, m_Parameters.angleToKeep);
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);
@@ -515,7 +523,8 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
   return moved;
 }
 
-/** Searches the cell for a place where the worst triangle is better; tetrahedra that are good may lose for that. */
+/** Searches the cell, or what is near the interfaces, for a place where the worst triangle is better; tetrahedra that
+ * are good may lose for that. */
 bool
 PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
 {
@@ -540,9 +549,8 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
   }
-  const double least =
-    std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(m_Parameters.angleToKeepBesideTriangles));
-  bool moved = false;
+  const double least = this->LeastAround(p, m_Parameters.angleToKeepBesideTriangles);
+  bool         moved = false;
   for (double step = 0.2 * size; step > 0.01 * size; step *= 0.5)
   {
     for (int d = 0; d < SearchDirections; ++d)
@@ -575,18 +583,21 @@ PointSmoother::MoveToCell(PointId p)
   {
     return false;
   }
-  const double least =
-    std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(m_Parameters.angleToKeepBesideTriangles)) - 1e-12;
+  const double least = this->LeastAround(p, m_Parameters.angleToKeepBesideTriangles) - 1e-12;
   const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
-  for (const double share : { 1.0, 0.5 })
+  return this->MoveIfGood(p, onCell, least, triangle) ||
+         this->MoveIfGood(p, m_Points[p] + 0.5 * (onCell - m_Points[p]), least, triangle);
+}
+
+/** Moves p to x if all tetrahedra are better than `least` then, and all triangles at least as good as `triangle`. */
+bool
+PointSmoother::MoveIfGood(PointId p, const Vector & x, double least, double triangle)
+{
+  if (this->WorstTriangleAround(p, x) < triangle || !(this->WorstAround(p, x, least) > least))
   {
-    const Vector x = m_Points[p] + share * (onCell - m_Points[p]);
-    if (this->WorstTriangleAround(p, x) >= triangle && this->WorstAround(p, x, least) > least)
-    {
-      m_Points[p] = x;
-      return true;
-    }
+    return false;
   }
-  return false;
+  m_Points[p] = x;
+  return true;
 }
 } // namespace mmm

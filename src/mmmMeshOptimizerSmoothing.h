@@ -89,8 +89,8 @@ public:
    * flat tetrahedra may leave their cell by the tolerance. */
   std::size_t
   SmoothWorst(double quality, double tolerance);
-  /** Moves the points of triangles below a radius ratio within their cell, where that makes the worst triangle around
-   * them better and leaves tetrahedra good enough. */
+  /** Moves the points of triangles below a radius ratio within their cell, or near the interfaces of the materials that
+   * meet there, where that makes the worst triangle around them better and leaves tetrahedra good enough. */
   std::size_t
   SmoothTriangles(double radiusRatio);
   /** Moves points that are off their cell back to it, where tetrahedra and triangles stay good enough. */
@@ -130,6 +130,10 @@ private:
   MoveToCell(PointId p);
   bool
   MoveForTriangles(PointId p, double radiusRatio);
+  bool
+  MoveIfGood(PointId p, const Vector & x, double least, double triangle);
+  double
+  LeastAround(PointId p, double angle) const;
   double
   WorstAround(PointId p, const Vector & x, double enough) const;
   /** Brings a place for p to within `slack` of its cell, if p is on one; false where there is none nearby. */

@@ -84,14 +84,8 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
       const double gap = std::min(std::max(gaps[p], -LongestMove), LongestMove);
       const Vector x = m_Points[p] + gap * indicators.Normal(m_Cells[p], m_Points[p]);
       const double angle = std::min(m_Parameters.angleToKeep, AngleToKeep);
-      const double least = std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(angle)) - 1e-12;
-      const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep) - 1e-12;
-      if (this->WorstTriangleAround(p, x) < triangle || !(this->WorstAround(p, x, least) > least))
-      {
-        return false;
-      }
-      m_Points[p] = x;
-      return true;
+      const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
+      return this->MoveIfGood(p, x, this->LeastAround(p, angle) - 1e-12, triangle - 1e-12);
     });
   }
   return moves;
