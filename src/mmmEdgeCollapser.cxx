@@ -25,6 +25,12 @@ namespace mmm
 using Id = OptimizerState::Id;
 using Element = OptimizerState::Element;
 
+namespace
+{
+/** More tetrahedra than that around a point are hardly ever brought to another one. */
+constexpr std::size_t LargestStar = 60;
+} // namespace
+
 /** The materials around a point, sorted, with the exterior where it lies on the outside of the mesh. */
 std::vector<Material>
 EdgeCollapser::MaterialsAround(PointId p, const std::vector<Id> & star) const
@@ -51,30 +57,36 @@ EdgeCollapser::Collapse(Id t, PointId u, PointId v)
 {
   m_State.complex.GetStar(u, m_Star);
   const double before = m_State.WorstOf(m_Star);
-  return this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, OptimizerState::TriangleFloor(before));
+  return this->MayCollapse(t, u, v, OptimizerState::TriangleFloor(before)) &&
+         this->CollapseStar(t, u, v, before + OptimizerState::LeastGain);
 }
 
 bool
 EdgeCollapser::CollapseForTriangles(Id t, PointId u, PointId v, double radiusRatio)
 {
   m_State.complex.GetStar(u, m_Star);
-  return this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), radiusRatio);
+  // the tetrahedra take longest to judge, and it is triangles that fail most often
+  return this->MayCollapse(t, u, v, radiusRatio) &&
+         this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)));
 }
 
-/** All new tetrahedra have to be better than `enough`, triangles at least as good as `floor`. */
+/** Whether the interfaces around u let it go to v, with triangles at least as good as `floor`. */
 bool
-EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough, double floor)
+EdgeCollapser::MayCollapse(Id t, PointId u, PointId v, double floor)
 {
-  if (m_Star.size() > 60)
+  if (m_Star.size() > LargestStar)
   {
     return false;
   }
   const std::size_t materials = this->MaterialsAround(u, m_Star).size();
-  if (materials > 3 || (materials > 1 && (!this->IsOnCellOf(u, v, materials) ||
-                                          !this->MayCollapseOnInterface(t, u, v, int(materials), floor))))
-  {
-    return false;
-  }
+  return materials == 1 || (materials <= 3 && this->IsOnCellOf(u, v, materials) &&
+                            this->MayCollapseOnInterface(t, u, v, int(materials), floor));
+}
+
+/** All new tetrahedra have to be better than `enough`. */
+bool
+EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough)
+{
   std::vector<Element> fresh;
   for (const Id s : m_Star)
   {

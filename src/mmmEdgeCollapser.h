@@ -49,7 +49,9 @@ private:
   };
 
   bool
-  CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, double floor);
+  MayCollapse(OptimizerState::Id t, PointId u, PointId v, double floor);
+  bool
+  CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough);
   std::vector<Material>
   MaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
   bool

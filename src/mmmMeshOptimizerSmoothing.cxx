@@ -285,12 +285,18 @@ PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
   return worst;
 }
 
-/** What tetrahedra around p have to be better than where it moves: those of larger angles than this, in degrees, may
- * lose down to it. */
-double
-PointSmoother::LeastAround(PointId p, double angle) const
+/** Whether tetrahedra around p are good enough if it moves to x: those of larger angles than `angle`, in degrees, may
+ * lose down to it, others have to be better than the worst one is now. */
+bool
+PointSmoother::StaysGood(PointId p, const Vector & x, double angle) const
 {
-  return std::min(this->WorstAround(p, m_Points[p], -2.0), QualityOfAngle(angle));
+  const double enough = QualityOfAngle(angle);
+  if (this->WorstAround(p, x, enough) > enough)
+  {
+    return true;
+  }
+  const double                                           worst = this->WorstAround(p, m_Points[p], -2.0);
+  return worst<enough && this->WorstAround(p, x, worst)> worst;
 }
 
 double
@@ -436,11 +442,10 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   {
     return false;
   }
-  const double least = this->LeastAround(p, m_Parameters.angleToKeep);
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);
-    if (this->Admit(p, x, 0.0) && this->TotalAround(p, x) > total && this->WorstAround(p, x, least) > least)
+    if (this->Admit(p, x, 0.0) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
     {
       m_Points[p] = x;
       return true;
@@ -549,8 +554,7 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
   }
-  const double least = this->LeastAround(p, m_Parameters.angleToKeepBesideTriangles);
-  bool         moved = false;
+  bool moved = false;
   for (double step = 0.2 * size; step > 0.01 * size; step *= 0.5)
   {
     for (int d = 0; d < SearchDirections; ++d)
@@ -562,7 +566,7 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
         continue;
       }
       const double reached = this->WorstTriangleAround(p, x);
-      if (reached > worst && this->WorstAround(p, x, least) > least)
+      if (reached > worst && this->StaysGood(p, x, m_Parameters.angleToKeepBesideTriangles))
       {
         m_Points[p] = x;
         worst = reached;
@@ -583,17 +587,17 @@ PointSmoother::MoveToCell(PointId p)
   {
     return false;
   }
-  const double least = this->LeastAround(p, m_Parameters.angleToKeepBesideTriangles) - 1e-12;
   const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
-  return this->MoveIfGood(p, onCell, least, triangle) ||
-         this->MoveIfGood(p, m_Points[p] + 0.5 * (onCell - m_Points[p]), least, triangle);
+  const double angle = m_Parameters.angleToKeepBesideTriangles;
+  return this->MoveIfGood(p, onCell, angle, triangle) ||
+         this->MoveIfGood(p, m_Points[p] + 0.5 * (onCell - m_Points[p]), angle, triangle);
 }
 
-/** Moves p to x if all tetrahedra are better than `least` then, and all triangles at least as good as `triangle`. */
+/** Moves p to x if tetrahedra stay good enough, and all triangles are at least as good as `triangle` then. */
 bool
-PointSmoother::MoveIfGood(PointId p, const Vector & x, double least, double triangle)
+PointSmoother::MoveIfGood(PointId p, const Vector & x, double angle, double triangle)
 {
-  if (this->WorstTriangleAround(p, x) < triangle || !(this->WorstAround(p, x, least) > least))
+  if (this->WorstTriangleAround(p, x) < triangle || !this->StaysGood(p, x, angle))
   {
     return false;
   }

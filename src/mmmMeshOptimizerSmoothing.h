@@ -131,9 +131,9 @@ private:
   bool
   MoveForTriangles(PointId p, double radiusRatio);
   bool
-  MoveIfGood(PointId p, const Vector & x, double least, double triangle);
-  double
-  LeastAround(PointId p, double angle) const;
+  MoveIfGood(PointId p, const Vector & x, double angle, double triangle);
+  bool
+  StaysGood(PointId p, const Vector & x, double angle) const;
   double
   WorstAround(PointId p, const Vector & x, double enough) const;
   /** Brings a place for p to within `slack` of its cell, if p is on one; false where there is none nearby. */

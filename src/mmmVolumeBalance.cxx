@@ -85,7 +85,7 @@ PointSmoother::BalanceVolumes(const IndicatorSet & indicators)
       const Vector x = m_Points[p] + gap * indicators.Normal(m_Cells[p], m_Points[p]);
       const double angle = std::min(m_Parameters.angleToKeep, AngleToKeep);
       const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
-      return this->MoveIfGood(p, x, this->LeastAround(p, angle) - 1e-12, triangle - 1e-12);
+      return this->MoveIfGood(p, x, angle, triangle);
     });
   }
   return moves;
