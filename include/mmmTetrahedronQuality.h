@@ -167,6 +167,29 @@ TriangleRadiusRatio(const Vector & a, const Vector & b, const Vector & c)
   return denominator > 0.0 ? 4.0 * (b - a).cross(c - a).squaredNorm() / denominator : 0.0;
 }
 
+/** The gradient of TriangleRadiusRatio() by its first argument; 0 for a flat triangle. */
+inline Vector
+TriangleRadiusRatioGradient(const Vector & a, const Vector & b, const Vector & c)
+{
+  const Vector ab = b - a;
+  const Vector ac = c - a;
+  const Vector bc = c - b;
+  const Vector normal = ab.cross(ac);
+  const double square = normal.squaredNorm();
+  if (!(square > 0.0))
+  {
+    return Vector::Zero();
+  }
+  // the logarithm of 4 |n|^2 / ((u + v + w) u v w) by parts
+  const double u = bc.norm();
+  const double v = ac.norm();
+  const double w = ab.norm();
+  const double sum = u + v + w;
+  const Vector logarithmic =
+    (2.0 / square) * normal.cross(bc) + (1.0 / sum + 1.0 / v) / v * ac + (1.0 / sum + 1.0 / w) / w * ab;
+  return 4.0 * square / (sum * u * v * w) * logarithmic;
+}
+
 /** The volume, negative when the orientation is. */
 inline double
 TetrahedronVolume(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
@@ -181,6 +204,10 @@ TetrahedronRadiusRatio(const Vector & a, const Vector & b, const Vector & c, con
 {
   return detail::RadiusRatio(detail::TetrahedronNormals(a, b, c, d));
 }
+
+/** The gradient of TetrahedronRadiusRatio() by its first argument; 0 for a flat tetrahedron. */
+MultiMaterialMeshing_EXPORT Vector
+TetrahedronRadiusRatioGradient(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
 
 /** The sine of the dihedral angle that is closest to 0 or 180 degrees, negative for a negative tetrahedron, 0 for a
  * flat one. It is continuous where a tetrahedron turns over and exact for the flattest ones, and so the quantity to

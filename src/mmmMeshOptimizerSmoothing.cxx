@@ -36,6 +36,11 @@ WorthOfTriangle(double radiusRatio)
 {
   return radiusRatio - 0.5 / (radiusRatio + 0.05);
 }
+double
+DerivativeOfWorth(double radiusRatio)
+{
+  return 1.0 + 0.5 / ((radiusRatio + 0.05) * (radiusRatio + 0.05));
+}
 /** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
 /** Particles that are this near are on their cell, in units of the smallest voxel spacing. */
@@ -248,7 +253,32 @@ PointSmoother::SmoothAll()
 std::size_t
 PointSmoother::SmoothWorst(double quality, double tolerance)
 {
-  return this->MoveByColour([=](PointId p) { return this->MoveUphill(p, quality, tolerance); });
+  const auto isPoor = this->MarkPointsOfPoor(quality);
+  return this->MoveByColour([&](PointId p) { return isPoor[p] && this->MoveUphill(p, quality, tolerance); });
+}
+
+/** The points that have a tetrahedron below a quality. */
+std::vector<char>
+PointSmoother::MarkPointsOfPoor(double quality) const
+{
+  std::vector<char> isPoor(m_Tetrahedra.size(), 0);
+  ParallelFor(m_Tetrahedra.size(), Grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      const auto & c = m_Tetrahedra[t];
+      isPoor[t] = !this->IsExterior(std::uint32_t(t)) &&
+                  ShapeQuality(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]) < quality;
+    }
+  });
+  std::vector<char> marks(m_Points.size(), 0);
+  for (std::size_t t = 0; t < isPoor.size(); ++t)
+  {
+    for (int c = 0; isPoor[t] && c < 4; ++c)
+    {
+      marks[m_Tetrahedra[t][c]] = 1;
+    }
+  }
+  return marks;
 }
 
 std::size_t
@@ -377,6 +407,40 @@ PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
   return (a + b + c) / 3.0 - height / area * normal;
 }
 
+/** The gradient of what TotalAround() gives, where p is. */
+Vector
+PointSmoother::GradientAround(PointId p) const
+{
+  Vector         gradient = Vector::Zero();
+  const Vector & x = m_Points[p];
+  const bool     withTetrahedra = m_Parameters.tetrahedronWeight > 0.0;
+  for (auto s = m_Star.Begin(p); withTetrahedra && s != m_Star.End(p); ++s)
+  {
+    if (this->IsExterior(*s))
+    {
+      continue;
+    }
+    // any order of the others will do: the radius ratio does not depend on the orientation
+    const Vector * others[3];
+    int            count = 0;
+    for (const auto corner : m_Tetrahedra[*s])
+    {
+      if (corner != p)
+      {
+        others[count++] = &m_Points[corner];
+      }
+    }
+    gradient += m_Parameters.tetrahedronWeight * TetrahedronRadiusRatioGradient(x, *others[0], *others[1], *others[2]);
+  }
+  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
+  {
+    const Vector & b = m_Points[m_Fan[f][0]];
+    const Vector & c = m_Points[m_Fan[f][1]];
+    gradient += TriangleWeight * DerivativeOfWorth(TriangleRadiusRatio(x, b, c)) * TriangleRadiusRatioGradient(x, b, c);
+  }
+  return gradient;
+}
+
 /** The sum of the radius ratios of tetrahedra around p and of the worth of triangles, if p were at x. */
 double
 PointSmoother::TotalAround(PointId p, const Vector & x) const
@@ -427,12 +491,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   shortest = std::sqrt(shortest);
   const Vector from = m_Points[p];
   const double total = this->TotalAround(p, from);
-  const double delta = 1e-3 * shortest;
-  Vector       gradient;
-  for (int a = 0; a < 3; ++a)
-  {
-    gradient[a] = this->TotalAround(p, from + delta * Vector::Unit(a)) - total;
-  }
+  Vector       gradient = this->GradientAround(p);
   if (m_Freedom[p] == Freedom::OnCell)
   {
     gradient = m_Constraint.AlongCell(p, from, gradient);

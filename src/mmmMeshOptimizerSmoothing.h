@@ -120,6 +120,10 @@ private:
   MoveByColour(const std::function<bool(PointId)> & move);
   Vector
   IdealPlace(PointId p, const Tetrahedron & t) const;
+  std::vector<char>
+  MarkPointsOfPoor(double quality) const;
+  Vector
+  GradientAround(PointId p) const;
   double
   TotalAround(PointId p, const Vector & x) const;
   bool

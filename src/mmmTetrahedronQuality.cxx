@@ -41,6 +41,39 @@ DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vecto
              angle(cd, n.n0, n.n1) } };
 }
 
+Vector
+TetrahedronRadiusRatioGradient(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
+{
+  const Vector ab = b - a;
+  const Vector ac = c - a;
+  const Vector ad = d - a;
+  const Vector bc = c - b;
+  const Vector cd = d - c;
+  const Vector db = b - d;
+  const Vector n1 = ac.cross(ad);
+  const Vector n2 = ad.cross(ab);
+  const Vector n3 = ab.cross(ac);
+  const double length1 = n1.norm();
+  const double length2 = n2.norm();
+  const double length3 = n3.norm();
+  const double sixVolume = ab.dot(n1);
+  // r_in = 6V / areas, and a + centre / 12V is the circumcentre
+  const double areas = bc.cross(cd).norm() + length1 + length2 + length3;
+  const Vector centre = ab.squaredNorm() * n1 + ac.squaredNorm() * n2 + ad.squaredNorm() * n3;
+  const double distance = centre.norm();
+  if (!(std::abs(sixVolume) * length1 * length2 * length3 * distance > 0.0))
+  {
+    return Vector::Zero();
+  }
+  // the logarithm of 6 (6V)^2 / (areas |centre|) by parts; what is divided by their values last
+  const Vector ofVolume = -(n1 + n2 + n3);
+  const Vector ofAreas = n1.cross(cd) / length1 + n2.cross(db) / length2 + n3.cross(bc) / length3;
+  const Vector ofDistance = centre.cross(ab.squaredNorm() * cd + ac.squaredNorm() * db + ad.squaredNorm() * bc) -
+                            2.0 * (centre.dot(n1) * ab + centre.dot(n2) * ac + centre.dot(n3) * ad);
+  return 6.0 * sixVolume * sixVolume / (areas * distance) *
+         (2.0 / sixVolume * ofVolume - ofAreas / areas - ofDistance / (distance * distance));
+}
+
 double
 MinimumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {

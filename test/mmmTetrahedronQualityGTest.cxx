@@ -312,3 +312,44 @@ TEST(mmmTetrahedronQuality, TriangleRadiusRatios)
   EXPECT_EQ(mmm::TriangleRadiusRatio(a, b, b), 0.0);
   EXPECT_EQ(mmm::TriangleRadiusRatio(a, a, a), 0.0);
 }
+
+TEST(mmmTetrahedronQuality, GradientsAreThoseOfTheRadiusRatios)
+{
+  std::mt19937                           random(7);
+  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
+  for (int trial = 0; trial < 100; ++trial)
+  {
+    Points p;
+    for (Vector & x : p)
+    {
+      x = Vector(coordinate(random), coordinate(random), coordinate(random));
+    }
+    const Vector     ofTetrahedron = mmm::TetrahedronRadiusRatioGradient(p[0], p[1], p[2], p[3]);
+    const Vector     ofTriangle = mmm::TriangleRadiusRatioGradient(p[0], p[1], p[2]);
+    constexpr double Step = 1e-6;
+    for (int a = 0; a < 3; ++a)
+    {
+      const Vector before = p[0] - Step * Vector::Unit(a);
+      const Vector after = p[0] + Step * Vector::Unit(a);
+      EXPECT_NEAR(
+        ofTetrahedron[a],
+        (mmm::TetrahedronRadiusRatio(after, p[1], p[2], p[3]) - mmm::TetrahedronRadiusRatio(before, p[1], p[2], p[3])) /
+          (2.0 * Step),
+        1e-5 * (1.0 + ofTetrahedron.norm()));
+      EXPECT_NEAR(ofTriangle[a],
+                  (mmm::TriangleRadiusRatio(after, p[1], p[2]) - mmm::TriangleRadiusRatio(before, p[1], p[2])) /
+                    (2.0 * Step),
+                  1e-5 * (1.0 + ofTriangle.norm()));
+    }
+  }
+}
+
+TEST(mmmTetrahedronQuality, GradientsOfFlatShapesAreZero)
+{
+  const Vector a(0, 0, 5);
+  const Vector b(2, 0, 5);
+  EXPECT_EQ(mmm::TriangleRadiusRatioGradient(a, b, Vector(7, 0, 5)), Vector::Zero());
+  EXPECT_EQ(mmm::TriangleRadiusRatioGradient(a, a, b), Vector::Zero());
+  EXPECT_EQ(mmm::TetrahedronRadiusRatioGradient(a, b, Vector(1, 1, 5), Vector(1, 2, 5)), Vector::Zero());
+  EXPECT_EQ(mmm::TetrahedronRadiusRatioGradient(a, a, a, a), Vector::Zero());
+}
