@@ -85,6 +85,7 @@ public:
   SetMaterial(Id t, Material material)
   {
     m_Materials[t] = material;
+    this->Touch(t);
   }
 
   /** The tetrahedra around a point. */
@@ -94,9 +95,18 @@ public:
   void
   GetRing(Id t, PointId a, PointId b, Ring & ring) const;
 
-  /** Puts new tetrahedra in the place of old ones; both must fill the same space. The new ones' ids are returned. */
+  /** Puts new tetrahedra in the place of old ones; both must fill the same space. */
   void
-  Replace(const std::vector<Id> & old, const std::vector<Element> & fresh, std::vector<Id> & ids);
+  Replace(const std::vector<Id> & old, const std::vector<Element> & fresh);
+
+  /** Whether a tetrahedron at a point has been replaced, or has got another material, since ForgetTouched(). */
+  bool
+  IsTouched(PointId point) const
+  {
+    return m_IsTouched[point] != 0;
+  }
+  void
+  ForgetTouched();
 
   /** Numbers the tetrahedra that are left anew, in the order of their ids, so that all ids below Size() are alive. */
   void
@@ -121,6 +131,14 @@ public:
 private:
   void
   FindTetrahedronOfEachPoint();
+  void
+  Touch(Id t)
+  {
+    for (const auto corner : m_Corners[t])
+    {
+      m_IsTouched[corner] = 1;
+    }
+  }
 
   std::vector<Tetrahedron>       m_Corners;
   std::vector<std::array<Id, 4>> m_Neighbours;
@@ -128,6 +146,7 @@ private:
   std::vector<char>              m_Alive;
   std::vector<Id>                m_Free;
   std::vector<Id>                m_PointTetrahedron;
+  std::vector<char>              m_IsTouched;
 };
 } // namespace mmm
 

@@ -23,7 +23,6 @@
 namespace mmm
 {
 using Id = OptimizerState::Id;
-using Element = OptimizerState::Element;
 
 namespace
 {
@@ -53,21 +52,21 @@ EdgeCollapser::MaterialsAround(PointId p, const std::vector<Id> & star) const
 }
 
 bool
-EdgeCollapser::Collapse(Id t, PointId u, PointId v)
+EdgeCollapser::Find(Id t, PointId u, PointId v, ComplexChange & change)
 {
   m_State.complex.GetStar(u, m_Star);
   const double before = m_State.WorstOf(m_Star);
   return this->MayCollapse(t, u, v, OptimizerState::TriangleFloor(before)) &&
-         this->CollapseStar(t, u, v, before + OptimizerState::LeastGain);
+         this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, change);
 }
 
 bool
-EdgeCollapser::CollapseForTriangles(Id t, PointId u, PointId v, double radiusRatio)
+EdgeCollapser::FindForTriangles(Id t, PointId u, PointId v, double radiusRatio, ComplexChange & change)
 {
   m_State.complex.GetStar(u, m_Star);
   // the tetrahedra take longest to judge, and it is triangles that fail most often
   return this->MayCollapse(t, u, v, radiusRatio) &&
-         this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)));
+         this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), change);
 }
 
 /** Whether the interfaces around u let it go to v, with triangles at least as good as `floor`. */
@@ -85,9 +84,9 @@ EdgeCollapser::MayCollapse(Id t, PointId u, PointId v, double floor)
 
 /** All new tetrahedra have to be better than `enough`. */
 bool
-EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough)
+EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough, ComplexChange & change)
 {
-  std::vector<Element> fresh;
+  change.fresh.clear();
   for (const Id s : m_Star)
   {
     Tetrahedron corners = m_State.complex.Corners(s);
@@ -100,15 +99,16 @@ EdgeCollapser::CollapseStar(Id t, PointId u, PointId v, double enough)
     {
       return false;
     }
-    fresh.push_back({ corners, m_State.complex.MaterialOf(s) });
+    change.fresh.push_back({ corners, m_State.complex.MaterialOf(s) });
   }
   if (!this->LinksMeetInRing(t, u, v))
   {
     return false;
   }
-  const std::vector<Id> old = m_Star;
-  m_State.complex.Replace(old, fresh, m_Ids);
-  ++m_State.report.collapses;
+  change.kind = ComplexChange::Kind::Collapse;
+  change.old = m_Star;
+  change.centre = { u };
+  change.beside = { v };
   return true;
 }
 

@@ -18,25 +18,26 @@
 #ifndef mmmEdgeCollapser_h
 #define mmmEdgeCollapser_h
 
+#include "mmmComplexChange.h"
 #include "mmmOptimizerState.h"
 
 namespace mmm
 {
-/** \brief Pulls one end of an edge into the other. */
+/** \brief Finds edges of which one end may be pulled into the other. */
 class EdgeCollapser
 {
 public:
-  explicit EdgeCollapser(OptimizerState & state)
+  explicit EdgeCollapser(const OptimizerState & state)
     : m_State(state)
   {}
 
-  /** Pulls point u into point v, if that makes the worst tetrahedron around u better. A point of the interior may go
+  /** Whether pulling point u into point v makes the worst tetrahedron around u better. A point of the interior may go
    * anywhere; one of a surface or a curve along it, by the link condition. */
   bool
-  Collapse(OptimizerState::Id t, PointId u, PointId v);
-  /** Pulls point u into point v, if all triangles of the interface around u are better than a radius ratio then. */
+  Find(OptimizerState::Id t, PointId u, PointId v, ComplexChange & change);
+  /** Whether all triangles of the interface around u are better than a radius ratio if it is pulled into point v. */
   bool
-  CollapseForTriangles(OptimizerState::Id t, PointId u, PointId v, double radiusRatio);
+  FindForTriangles(OptimizerState::Id t, PointId u, PointId v, double radiusRatio, ComplexChange & change);
 
 private:
   /** A triangle of an interface at some point, by its other corners, and the materials beside it. */
@@ -51,7 +52,7 @@ private:
   bool
   MayCollapse(OptimizerState::Id t, PointId u, PointId v, double floor);
   bool
-  CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough);
+  CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, ComplexChange & change);
   std::vector<Material>
   MaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
   bool
@@ -65,11 +66,10 @@ private:
   bool
   MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, int materials, double floor);
 
-  OptimizerState &                m_State;
+  const OptimizerState &          m_State;
   TetrahedralComplex::Ring        m_Ring;
   std::vector<OptimizerState::Id> m_Star;
   std::vector<OptimizerState::Id> m_OtherStar;
-  std::vector<OptimizerState::Id> m_Ids;
 };
 } // namespace mmm
 

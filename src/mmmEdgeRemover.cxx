@@ -24,7 +24,7 @@
 namespace mmm
 {
 using Id = OptimizerState::Id;
-using Element = OptimizerState::Element;
+
 
 /** The best triangulation of a polygon around the edge ab: each triangle makes a tetrahedron with a and one with b.
  * Returns the worst quality, and appends the triangles. */
@@ -89,7 +89,7 @@ EdgeRemover::TriangulateLink(const std::vector<PointId> & polygon,
 /** Takes the edge ab out: the tetrahedra around it are replaced by two for each triangle of their link. On an
  * interface of two materials the surface's edge is flipped, from ab to the link's two points on the interface. */
 bool
-EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
+EdgeRemover::FindForEdge(Id t, PointId a, PointId b, ComplexChange & change)
 {
   m_State.complex.GetRing(t, a, b, m_Ring);
   const double before = m_State.WorstOf(m_Ring.tetrahedra);
@@ -97,21 +97,22 @@ EdgeRemover::RemoveEdge(Id t, PointId a, PointId b)
   return this->ReplaceRing(a,
                            b,
                            before + OptimizerState::LeastGain,
-                           mayFlip ? OptimizerState::TriangleFloor(before) : OptimizerState::Unreachable);
+                           mayFlip ? OptimizerState::TriangleFloor(before) : OptimizerState::Unreachable,
+                           change);
 }
 
 bool
-EdgeRemover::FlipForTriangles(Id t, PointId a, PointId b)
+EdgeRemover::FindForTriangles(Id t, PointId a, PointId b, ComplexChange & change)
 {
   m_State.complex.GetRing(t, a, b, m_Ring);
   const double before = m_State.WorstOf(m_Ring.tetrahedra);
-  return this->ReplaceRing(a, b, m_State.EnoughBesideTriangles(before), 1.0);
+  return this->ReplaceRing(a, b, m_State.EnoughBesideTriangles(before), 1.0, change);
 }
 
 /** The new tetrahedra have to be better than `enough`. An interface edge is flipped if the worse of its triangles gets
  * better, or is at least as good as `floor`. */
 bool
-EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
+EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor, ComplexChange & change)
 {
   const auto & ring = m_Ring.tetrahedra;
   const int    count = int(ring.size());
@@ -153,7 +154,8 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
       }
     }
   }
-  std::vector<Element>  fresh;
+  change.fresh.clear();
+  change.beside.clear();
   std::vector<Triangle> triangles;
   double                after = 2.0;
   const auto            add = [&](const std::vector<PointId> & polygon, Material material) {
@@ -166,8 +168,8 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
     after = std::min(after, this->TriangulateLink(polygon, a, b, material, enough, triangles));
     for (const auto & triangle : triangles)
     {
-      fresh.push_back({ { { triangle[0], triangle[1], triangle[2], b } }, material });
-      fresh.push_back({ { { triangle[2], triangle[1], triangle[0], a } }, material });
+      change.fresh.push_back({ { { triangle[0], triangle[1], triangle[2], b } }, material });
+      change.fresh.push_back({ { { triangle[2], triangle[1], triangle[0], a } }, material });
     }
   };
   if (cuts.empty())
@@ -184,6 +186,7 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
     {
       return false;
     }
+    change.beside = { c };
     add(std::vector<PointId>(link.begin() + cuts[0], link.begin() + cuts[1] + 1), one);
     if (m_Ring.closed && after > enough)
     {
@@ -200,9 +203,9 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor)
   {
     return false;
   }
-  const std::vector<Id> old = ring;
-  m_State.complex.Replace(old, fresh, m_Ids);
-  ++(cuts.empty() ? m_State.report.flips : m_State.report.interfaceFlips);
+  change.kind = cuts.empty() ? ComplexChange::Kind::Flip : ComplexChange::Kind::InterfaceFlip;
+  change.old = ring;
+  change.centre = { a, b };
   return true;
 }
 
@@ -244,9 +247,8 @@ EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, M
   return worstAfter >= std::min(worstBefore + OptimizerState::LeastGain, floor);
 }
 
-/** Two tetrahedra of one material become three around a new edge. */
 bool
-EdgeRemover::RemoveFace(Id t, int face)
+EdgeRemover::FindForFace(Id t, int face, ComplexChange & change) const
 {
   if (m_State.complex.IsInterface(t, face))
   {
@@ -263,8 +265,10 @@ EdgeRemover::RemoveFace(Id t, int face)
       bottom = corner;
     }
   }
-  const double         before = std::min(m_State.Quality(t), m_State.Quality(other));
-  std::vector<Element> fresh;
+  const double before = std::min(m_State.Quality(t), m_State.Quality(other));
+  change.fresh.clear();
+  change.centre.clear();
+  change.beside.clear();
   for (int c = 0; c < 3; ++c)
   {
     const PointId     u = corners[TetrahedronFaces[face][c]];
@@ -274,27 +278,28 @@ EdgeRemover::RemoveFace(Id t, int face)
     {
       return false;
     }
-    fresh.push_back({ candidate, m_State.complex.MaterialOf(t) });
+    change.fresh.push_back({ candidate, m_State.complex.MaterialOf(t) });
+    change.centre.push_back(u);
   }
-  m_State.complex.Replace({ t, other }, fresh, m_Ids);
-  ++m_State.report.flips;
+  change.kind = ComplexChange::Kind::Flip;
+  change.old = { t, other };
   return true;
 }
 
 bool
-EdgeRemover::RemoveAny(Id t)
+EdgeRemover::FindAny(Id t, ComplexChange & change)
 {
   const Tetrahedron corners = m_State.complex.Corners(t);
   for (const auto & edge : TetrahedronEdges)
   {
-    if (this->RemoveEdge(t, corners[edge[0]], corners[edge[1]]))
+    if (this->FindForEdge(t, corners[edge[0]], corners[edge[1]], change))
     {
       return true;
     }
   }
   for (int f = 0; f < 4; ++f)
   {
-    if (this->RemoveFace(t, f))
+    if (this->FindForFace(t, f, change))
     {
       return true;
     }

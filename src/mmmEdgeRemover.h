@@ -18,38 +18,40 @@
 #ifndef mmmEdgeRemover_h
 #define mmmEdgeRemover_h
 
+#include "mmmComplexChange.h"
 #include "mmmOptimizerState.h"
 
 namespace mmm
 {
-/** \brief Takes edges and faces out of the mesh by replacing the tetrahedra around them.
+/** \brief Finds edges and faces to take out of the mesh, and the tetrahedra that come in the place of those around
+ * them.
  *
  * An edge of an interface of two materials is flipped: the surface has the other diagonal then. */
 class EdgeRemover
 {
 public:
-  explicit EdgeRemover(OptimizerState & state)
+  explicit EdgeRemover(const OptimizerState & state)
     : m_State(state)
   {}
 
-  /** Takes the edge ab of tetrahedron t out, if that makes the worst tetrahedron around it better. */
+  /** Whether taking the edge ab of tetrahedron t out makes the worst tetrahedron around it better. */
   bool
-  RemoveEdge(OptimizerState::Id t, PointId a, PointId b);
-  /** Flips the edge ab of an interface if that makes the worse one of its two triangles better. */
+  FindForEdge(OptimizerState::Id t, PointId a, PointId b, ComplexChange & change);
+  /** Whether flipping the edge ab of an interface makes the worse one of its two triangles better. */
   bool
-  FlipForTriangles(OptimizerState::Id t, PointId a, PointId b);
-  /** Takes a face out: two tetrahedra of one material become three around a new edge. */
+  FindForTriangles(OptimizerState::Id t, PointId a, PointId b, ComplexChange & change);
+  /** Whether any edge or face of a tetrahedron is to be taken out. */
   bool
-  RemoveFace(OptimizerState::Id t, int face);
-  /** Takes any edge or face of a tetrahedron out. */
-  bool
-  RemoveAny(OptimizerState::Id t);
+  FindAny(OptimizerState::Id t, ComplexChange & change);
 
 private:
   static constexpr int LongestRing = 9;
 
+  /** Takes a face out: two tetrahedra of one material become three around a new edge. */
   bool
-  ReplaceRing(PointId a, PointId b, double enough, double floor);
+  FindForFace(OptimizerState::Id t, int face, ComplexChange & change) const;
+  bool
+  ReplaceRing(PointId a, PointId b, double enough, double floor, ComplexChange & change);
   double
   TriangulateLink(const std::vector<PointId> & polygon,
                   PointId                      a,
@@ -62,10 +64,9 @@ private:
   bool
   MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, Material two, double floor) const;
 
-  OptimizerState &                m_State;
+  const OptimizerState &          m_State;
   TetrahedralComplex::Ring        m_Ring;
   std::vector<OptimizerState::Id> m_Star;
-  std::vector<OptimizerState::Id> m_Ids;
 };
 } // namespace mmm
 

@@ -35,6 +35,24 @@ OptimizerState::EnoughBesideTriangles(double before) const
   return std::min(before + LeastGain, QualityOfAngle(parameters.angleToKeepBesideTriangles));
 }
 
+void
+OptimizerState::Make(const ComplexChange & change)
+{
+  complex.Replace(change.old, change.fresh);
+  switch (change.kind)
+  {
+    case ComplexChange::Kind::Flip:
+      ++report.flips;
+      break;
+    case ComplexChange::Kind::InterfaceFlip:
+      ++report.interfaceFlips;
+      break;
+    case ComplexChange::Kind::Collapse:
+      ++report.collapses;
+      break;
+  }
+}
+
 double
 OptimizerState::Shape(Id t) const
 {

@@ -18,6 +18,7 @@
 #ifndef mmmOptimizerState_h
 #define mmmOptimizerState_h
 
+#include "mmmComplexChange.h"
 #include "mmmInterfaceConstraint.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmTetrahedralComplex.h"
@@ -51,6 +52,10 @@ struct OptimizerState
   const std::vector<Vector> &    points;
   TetrahedralComplex &           complex;
   OptimizationReport &           report;
+
+  /** Makes a change, and counts it. */
+  void
+  Make(const ComplexChange & change);
 
   bool
   IsExterior(Id t) const

@@ -165,10 +165,15 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
   }
   m_State.complex.SetMaterial(t, other);
   // within the mesh this is but a step towards taking it apart
-  if (other != m_State.exterior && !m_EdgeRemover.RemoveEdge(t, c, d) && !m_EdgeRemover.RemoveAny(t))
+  if (other != m_State.exterior)
   {
-    m_State.complex.SetMaterial(t, own);
-    return false;
+    ComplexChange change;
+    if (!m_EdgeRemover.FindForEdge(t, c, d, change) && !m_EdgeRemover.FindAny(t, change))
+    {
+      m_State.complex.SetMaterial(t, own);
+      return false;
+    }
+    m_State.Make(change);
   }
   ++m_State.report.relabelled;
   return true;

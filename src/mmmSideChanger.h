@@ -30,9 +30,9 @@ namespace mmm
 class SideChanger
 {
 public:
-  SideChanger(OptimizerState & state, EdgeRemover & edgeRemover)
+  explicit SideChanger(OptimizerState & state)
     : m_State(state)
-    , m_EdgeRemover(edgeRemover)
+    , m_EdgeRemover(state)
   {}
 
   bool
@@ -58,7 +58,7 @@ private:
   AllAround(OptimizerState::Id t, PointId a, PointId b, Material first, Material second);
 
   OptimizerState &                m_State;
-  EdgeRemover &                   m_EdgeRemover;
+  EdgeRemover                     m_EdgeRemover;
   TetrahedralComplex::Ring        m_Ring;
   std::vector<OptimizerState::Id> m_Star;
 };

@@ -50,6 +50,7 @@ TetrahedralComplex::TetrahedralComplex(const TetrahedralMesh & mesh, std::size_t
   , m_Materials(mesh.materials)
   , m_Alive(mesh.tetrahedra.size(), 1)
   , m_PointTetrahedron(numberOfPoints, NoTetrahedron)
+  , m_IsTouched(numberOfPoints, 0)
 {
   this->FindTetrahedronOfEachPoint();
 }
@@ -156,7 +157,7 @@ TetrahedralComplex::GetRing(Id first, PointId a, PointId b, Ring & ring) const
 }
 
 void
-TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Element> & fresh, std::vector<Id> & ids)
+TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Element> & fresh)
 {
   struct Open
   {
@@ -183,6 +184,7 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
   for (const Id t : old)
   {
     m_Alive[t] = 0;
+    this->Touch(t);
     for (const auto corner : m_Corners[t])
     {
       m_PointTetrahedron[corner] = NoTetrahedron;
@@ -201,7 +203,6 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
     }
   }
 
-  ids.clear();
   for (const auto & element : fresh)
   {
     Id t;
@@ -221,7 +222,6 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
     m_Corners[t] = element.corners;
     m_Materials[t] = element.material;
     m_Alive[t] = 1;
-    ids.push_back(t);
     for (int f = 0; f < 4; ++f)
     {
       const Triangle face = SortedFace(element.corners, f);
@@ -255,6 +255,12 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
       m_Neighbours[o.tetrahedron][o.number] = NoTetrahedron;
     }
   }
+}
+
+void
+TetrahedralComplex::ForgetTouched()
+{
+  std::fill(m_IsTouched.begin(), m_IsTouched.end(), 0);
 }
 
 void

@@ -39,9 +39,8 @@ MakeComplex()
 TetrahedralComplex
 MakeComplexWithAFreeId()
 {
-  auto                                complex = MakeComplex();
-  std::vector<TetrahedralComplex::Id> ids;
-  complex.Replace({ 0, 1, 2 }, { { { { 2, 3, 4, 0 } }, 1 }, { { { 4, 3, 2, 1 } }, 1 } }, ids);
+  auto complex = MakeComplex();
+  complex.Replace({ 0, 1, 2 }, { { { { 2, 3, 4, 0 } }, 1 }, { { { 4, 3, 2, 1 } }, 1 } });
   return complex;
 }
 } // namespace
@@ -94,4 +93,24 @@ TEST(TetrahedralComplex, CompactKeepsTheStarsOfPoints)
                 return std::find(t.begin(), t.end(), p) != t.end();
               })));
   }
+}
+
+TEST(TetrahedralComplex, PointsOfReplacedTetrahedraAreTouched)
+{
+  const auto complex = MakeComplexWithAFreeId();
+  for (mmm::PointId p = 0; p < 5; ++p)
+  {
+    EXPECT_TRUE(complex.IsTouched(p)) << p;
+  }
+  EXPECT_FALSE(complex.IsTouched(5));
+}
+
+TEST(TetrahedralComplex, PointsOfAnotherMaterialAreTouchedUntilForgotten)
+{
+  auto complex = MakeComplex();
+  complex.SetMaterial(3, 1);
+  EXPECT_TRUE(complex.IsTouched(5));
+  EXPECT_FALSE(complex.IsTouched(4));
+  complex.ForgetTouched();
+  EXPECT_FALSE(complex.IsTouched(5));
 }
