@@ -35,9 +35,17 @@ constexpr float CentreMargin = 0.1f;
  * meshed everywhere. */
 constexpr float ThinCentreMargin = 0.2f;
 
+/** Where a part ends in a single voxel, or is one: triangles cut such tips off by as much as half a voxel. */
+constexpr float TipCentreMargin = 0.35f;
+
 /** Whether a voxel belongs to no 2 x 2 x 2 block of its material. Labels are continued beyond the border. */
 MultiMaterialMeshing_EXPORT bool
 IsThin(const MaterialImage & image, const Index & at);
+
+/** How far interfaces have to stay from the centre of a voxel, in units of the smallest voxel spacing. A tip has at
+ * most one neighbour of its material across a face. */
+MultiMaterialMeshing_EXPORT float
+CentreMarginOf(const MaterialImage & image, const Index & at);
 
 /** The smallest box of grid nodes that holds a material; size 0 where the image has none of it. */
 struct MaterialBox

@@ -70,9 +70,9 @@ CentreMargins(const MaterialImage & image, const LevelSet & levelSet)
     {
       const auto n = levelSet.Band()[b];
       // only the voxels beside the interface matter
-      if (std::abs(levelSet.Values()[n]) < 1.0f && IsThin(image, levelSet.IndexAt(n)))
+      if (std::abs(levelSet.Values()[n]) < 1.0f)
       {
-        margins[b] = ThinCentreMargin;
+        margins[b] = CentreMarginOf(image, levelSet.IndexAt(n));
       }
     }
   });
@@ -153,6 +153,26 @@ IsThin(const MaterialImage & image, const Index & at)
     }
   }
   return true;
+}
+
+float
+CentreMarginOf(const MaterialImage & image, const Index & at)
+{
+  if (!IsThin(image, at))
+  {
+    return CentreMargin;
+  }
+  int likewise = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    for (const int step : { -1, 1 })
+    {
+      Index beside = at;
+      beside[a] += step;
+      likewise += image.AtNearest(beside) == image.AtNearest(at);
+    }
+  }
+  return likewise > 1 ? ThinCentreMargin : TipCentreMargin;
 }
 
 std::vector<MaterialBox>

@@ -116,7 +116,7 @@ private:
         // centres that smoothing took to the other side stay there
         const Index at = grid.IndexAt(m_Rim[v]);
         const float gap = m_Volumes.Gap(at);
-        m_Margins[v] = gap < 0.0f ? gap : (IsThin(m_Image, at) ? ThinCentreMargin : CentreMargin);
+        m_Margins[v] = gap < 0.0f ? gap : CentreMarginOf(m_Image, at);
       }
     });
   }

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmImageParts.h"
+#include "mmmIndicatorSmoothing.h"
 #include "mmmTestScenes.h"
 
 #include <gtest/gtest.h>
@@ -141,6 +142,18 @@ TEST(VolumeCorrection, PartsOfOneLabelKeepTheirVolumesEach)
     { { 24, 18, 18 } }, Vector::Ones(), 2, [&](const Vector & x) { return small.Has(x) || large.Has(x) ? 1 : 0; }));
   EXPECT_NEAR(VolumeAround(scene, small, 1), 8.0, 0.05 * 8.0);
   EXPECT_NEAR(VolumeAround(scene, large, 1), 512.0, 0.05 * 512.0);
+}
+
+TEST(VolumeCorrection, KeepsInterfacesFurtherAwayFromTheCentresOfTips)
+{
+  // a block with a spike of one voxel
+  const VoxelBox   block{ Vector(4.0, 4.0, 4.0), Vector::Constant(6.0) };
+  const mmm::Index tip{ { 6, 6, 10 } };
+  const Scene      scene(MakeMaterials({ { 15, 15, 15 } }, Vector::Ones(), 2, [&](const Vector & x) {
+    return block.Has(x) || (x - Vector(tip[0], tip[1], tip[2])).norm() < 0.5 ? 1 : 0;
+  }));
+  ASSERT_EQ(mmm::CentreMarginOf(scene.image, tip), mmm::TipCentreMargin);
+  EXPECT_GT(scene.indicators->InsideOutside(1, scene.image.grid.Position(tip)), 2.0 * mmm::TipCentreMargin - 1e-4);
 }
 
 TEST(VolumeCorrection, KeepsInterfacesAwayFromVoxelCentres)
