@@ -23,9 +23,10 @@
 #include "mmmJunctions.h"
 #include "mmmMeshEstimate.h"
 #include "mmmMeshOptimizer.h"
+#include "mmmMeshingPlace.h"
 #include "mmmParticles.h"
-#include "mmmPartitionTopology.h"
 #include "mmmSampling.h"
+#include "mmmTopologyComparison.h"
 
 #include <string>
 
@@ -44,14 +45,6 @@ struct MeshingParameters
   bool compareTopology{ false };
 };
 
-/** Somewhere in the mesh, and the labels that meet there. BuildMesh() gives the numbers of materials and a position in
- * the frame of Grid; the filters give labels and a physical point. */
-struct MeshingPlace
-{
-  Vector           position;
-  std::vector<int> labels;
-};
-
 /** \brief How the materials meet around the points of interfaces, see FindLinkDefects(). */
 struct LinkReport
 {
@@ -66,15 +59,6 @@ struct LinkReport
   std::vector<MeshingPlace> left;
 };
 
-/** The Betti numbers of a label, or of a material by its number, as in MeshingPlace. */
-struct LabelTopology
-{
-  int          label;
-  BettiNumbers mesh;
-  /** Of the argmax partition of the indicators. */
-  BettiNumbers partition;
-};
-
 /** What became of the particles of one dimension. */
 struct MeshingReport
 {
@@ -87,7 +71,7 @@ struct MeshingReport
    */
   std::vector<MeshingPlace> inconsistentTriangles;
   /** Only if it was asked for. */
-  std::vector<LabelTopology> topology;
+  TopologyReport topology;
   /** Particles that no interface triangle uses; they are dropped. */
   std::size_t unusedParticles{ 0 };
   /** Points that TetGen added to the interior to recover the interfaces. */

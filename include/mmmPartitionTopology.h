@@ -18,27 +18,27 @@
 #ifndef mmmPartitionTopology_h
 #define mmmPartitionTopology_h
 
-#include "mmmIndicatorSet.h"
 #include "mmmMeshTopology.h"
+#include "mmmSampleLattice.h"
 
 #include <functional>
 #include <vector>
 
 namespace mmm
 {
-/** \brief The Betti numbers of each material of the argmax partition of the indicators, which a mesh should have, too.
+/** \brief The Betti numbers of each material of a partition that is known at the samples of a lattice.
  *
- * The partition is sampled at the grid's nodes and halfway between them. A sample stands for a closed box around it:
- * samples of a material that touch in a corner are connected, as tetrahedra are that share a point. */
+ * A material is the full subcomplex of a Freudenthal subdivision that its samples span, see SampleNeighbours: the same
+ * holds for what is not of the material, and none of two has the better of the other where they meet crosswise. */
 MultiMaterialMeshing_EXPORT std::vector<BettiNumbers>
-                            ComputePartitionTopology(const IndicatorSet & indicators);
+                            ComputePartitionTopology(const SampleLattice & lattice, const SampledMaterials & partition);
 
-/** The same for labels on a grid of boxes, the first index fastest: `row(j, k, labels)` gives those of a row. It may be
+/** The same for samples on a grid, the first index fastest: `row(j, k, labels)` gives the materials of a row. It may be
  * called from several threads, and more than once for a row. */
 MultiMaterialMeshing_EXPORT std::vector<BettiNumbers>
-                            ComputeBoxTopology(const Index &                                                  size,
-                                               std::size_t                                                    numberOfMaterials,
-                                               const std::function<void(int, int, std::vector<Material> &)> & row);
+                            ComputeSampleTopology(const Index &                                                  size,
+                                                  std::size_t                                                    numberOfMaterials,
+                                                  const std::function<void(int, int, std::vector<Material> &)> & row);
 } // namespace mmm
 
 #endif

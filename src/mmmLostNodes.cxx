@@ -18,10 +18,7 @@
 #include "mmmLostNodes.h"
 
 #include "mmmParallel.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "mmmTetrahedronRaster.h"
 
 namespace mmm
 {
@@ -85,64 +82,6 @@ MarkInterfaceNodes(const Grid & grid, const std::vector<Material> & materials)
   });
   return states;
 }
-
-/** Calls visit(offset) for the nodes inside of a tetrahedron, not for those on its faces. */
-template <typename TVisitor>
-void
-VisitNodesInside(const Grid & grid, const Vector (&corners)[4], TVisitor && visit)
-{
-  constexpr double Margin = 1e-9;
-  Vector           normals[4];
-  double           offsets[4];
-  int              low[3];
-  int              high[3];
-  for (int f = 0; f < 4; ++f)
-  {
-    const Vector & a = corners[TetrahedronFaces[f][0]];
-    normals[f] = (corners[TetrahedronFaces[f][1]] - a).cross(corners[TetrahedronFaces[f][2]] - a).normalized();
-    offsets[f] = normals[f].dot(a) - Margin;
-  }
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto coordinates = { corners[0][a], corners[1][a], corners[2][a], corners[3][a] };
-    low[a] = std::max(0, int(std::ceil(std::min(coordinates) / grid.spacing[a])));
-    high[a] = std::min(grid.size[a] - 1, int(std::floor(std::max(coordinates) / grid.spacing[a])));
-  }
-  for (int k = low[2]; k <= high[2]; ++k)
-  {
-    for (int j = low[1]; j <= high[1]; ++j)
-    {
-      double first = low[0] * grid.spacing[0];
-      double last = high[0] * grid.spacing[0];
-      for (int f = 0; f < 4; ++f)
-      {
-        const double rest = offsets[f] - normals[f][1] * j * grid.spacing[1] - normals[f][2] * k * grid.spacing[2];
-        if (normals[f][0] > 0.0)
-        {
-          last = std::min(last, rest / normals[f][0]);
-        }
-        else if (normals[f][0] < 0.0)
-        {
-          first = std::max(first, rest / normals[f][0]);
-        }
-        else if (!(rest >= 0.0))
-        {
-          last = -std::numeric_limits<double>::infinity();
-        }
-      }
-      // both bounds lie within the bounding box now, or there is nothing between them
-      if (!(first <= last))
-      {
-        continue;
-      }
-      const int end = int(std::floor(last / grid.spacing[0]));
-      for (int i = int(std::ceil(first / grid.spacing[0])); i <= end; ++i)
-      {
-        visit(grid.Offset(i, j, k));
-      }
-    }
-  }
-}
 } // namespace
 
 LostNodes
@@ -154,18 +93,21 @@ FindLostNodes(const IndicatorSet &        indicators,
   const Grid & grid = indicators.GetGrid();
   const auto & materials = indicators.NodeMaterials();
   auto         states = MarkInterfaceNodes(grid, materials);
+  const auto   toIndex = [&](PointId p) { return Vector(points[p].cwiseQuotient(grid.spacing)); };
   // a node is inside of one tetrahedron at most: no two threads write to one place
   ParallelFor(mesh.tetrahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {
       const auto & c = mesh.tetrahedra[t];
-      const Vector corners[4] = { points[c[0]], points[c[1]], points[c[2]], points[c[3]] };
-      VisitNodesInside(grid, corners, [&](std::size_t n) {
-        if (states[n] != FarFromInterfaces)
-        {
-          states[n] = mesh.materials[t] == materials[n] ? Right : Wrong;
-        }
-      });
+      // nodes on faces are left out
+      VisitIndicesInside(
+        grid.size, { toIndex(c[0]), toIndex(c[1]), toIndex(c[2]), toIndex(c[3]) }, -1e-9, [&](const Index & at) {
+          const auto n = grid.Offset(at);
+          if (states[n] != FarFromInterfaces)
+          {
+            states[n] = mesh.materials[t] == materials[n] ? Right : Wrong;
+          }
+        });
     }
   });
   const auto isLost = [&](std::size_t n) {

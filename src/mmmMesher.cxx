@@ -22,7 +22,6 @@
 #include "mmmIndicatorConstraint.h"
 #include "mmmInteriorParticles.h"
 #include "mmmMeshOptimizer.h"
-#include "mmmMeshTopology.h"
 #include "mmmSurfaceStage.h"
 #include "mmmTetGen.h"
 #include "mmmVolumeBalance.h"
@@ -109,27 +108,6 @@ SortPoints(MeshingResult & result)
   renumber(result.interfaces.triangles);
   result.points.swap(points);
   particles = std::move(kept);
-}
-
-/** The Betti numbers of each material in the mesh, which has no exterior, and in the partition of the indicators. */
-std::vector<LabelTopology>
-CompareTopology(const IndicatorSet &        indicators,
-                const std::vector<Vector> & points,
-                const TetrahedralMesh &     mesh,
-                Material                    exterior)
-{
-  const auto                       partition = ComputePartitionTopology(indicators);
-  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
-  const auto                 topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
-  std::vector<LabelTopology> result;
-  for (std::size_t m = 0; m < partition.size(); ++m)
-  {
-    if (m != exterior)
-    {
-      result.push_back({ int(m), topology.regions[m].betti, partition[m] });
-    }
-  }
-  return result;
 }
 
 /** The tetrahedra between the points that have the triangles among their faces. The points after the fixed ones may be

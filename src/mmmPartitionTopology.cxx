@@ -28,7 +28,7 @@ namespace
 {
 using RowReader = std::function<void(int, int, std::vector<Material> &)>;
 
-/** Boxes [begin, end) of a row. */
+/** Samples [begin, end) of a row. */
 struct Run
 {
   int begin;
@@ -42,54 +42,36 @@ struct MaterialRuns
   std::vector<std::size_t> rows;
 };
 
-/** What a material has of 0- to 3-dimensional faces of boxes, with alternating signs. */
+/** What a material has of simplices of 0 to 3 dimensions, with alternating signs. */
 using Characteristics = std::vector<std::ptrdiff_t>;
 
-/** Adds `sign` for each material among some boxes, once. */
-void
-CountEach(std::array<Material, 8> materials, int count, int sign, std::size_t numberOfMaterials, Characteristics & sums)
+/** The Euler characteristic of the simplices that have the first of eight samples as their lowest vertex, and the
+ * others of its material. Bit 0 of a sample's number is for the upper one of the first axis and so on: a simplex joins
+ * samples whose numbers gain bits. */
+int
+CountSimplices(const std::array<Material, 8> & samples)
 {
-  std::sort(materials.begin(), materials.begin() + count);
-  for (int i = 0; i < count; ++i)
+  int        sum = 1;
+  const auto follows = [&](int from, int to) { return samples[to] == samples[0] && (from & to) == from; };
+  for (int a = 1; a < 8; ++a)
   {
-    if (materials[i] < numberOfMaterials && (i == 0 || materials[i] != materials[i - 1]))
+    if (follows(0, a))
     {
-      sums[materials[i]] += sign;
-    }
-  }
-}
-
-/** Counts, at one corner, what begins there: the corner, three edges, three faces and a box. `around` are the boxes
- * around it, bit 0 of the position for the upper one of the first axis and so on. */
-void
-CountAt(const std::array<Material, 8> & around, std::size_t numberOfMaterials, Characteristics & sums)
-{
-  if (std::all_of(around.begin(), around.end(), [&](Material m) { return m == around[0]; }))
-  {
-    return; // the corner, edges, faces and box cancel out
-  }
-  for (int upper = 0; upper < 8; ++upper)
-  {
-    // the element that extends along the axes of `upper` lies between the boxes that are upper ones there
-    std::array<Material, 8> adjacent{};
-    int                     count = 0;
-    int                     dimension = 0;
-    for (int box = 0; box < 8; ++box)
-    {
-      if ((box & upper) == upper)
+      --sum;
+      for (int b = a + 1; b < 8; ++b)
       {
-        adjacent[count++] = around[box];
+        if (follows(a, b))
+        {
+          ++sum;
+          sum -= b != 7 && follows(b, 7);
+        }
       }
     }
-    for (int a = 0; a < 3; ++a)
-    {
-      dimension += upper >> a & 1;
-    }
-    CountEach(adjacent, count, dimension % 2 ? -1 : 1, numberOfMaterials, sums);
   }
+  return sum;
 }
 
-/** Two neighbouring layers of boxes with a frame of no material around them. */
+/** Two neighbouring layers of samples with a frame of no material around them. */
 class LayerReader
 {
 public:
@@ -118,7 +100,7 @@ public:
     }
   }
 
-  /** A box of the lower or the upper layer; -1 and the size are allowed. */
+  /** A sample of the lower or the upper layer; the size is allowed. */
   Material
   At(int layer, int i, int j) const
   {
@@ -147,51 +129,53 @@ struct PlacedRun
   Run         run;
 };
 
-/** Adds the runs of a layer's row. */
+/** Adds the runs of a row of the lower layer. */
 void
 ListRuns(const LayerReader & reader, int rowLength, int j, std::size_t row, std::vector<PlacedRun> & runs)
 {
   for (int i = 0; i < rowLength;)
   {
-    const Material material = reader.At(1, i, j);
+    const Material material = reader.At(0, i, j);
     const int      begin = i;
-    for (++i; i < rowLength && reader.At(1, i, j) == material; ++i)
+    for (++i; i < rowLength && reader.At(0, i, j) == material; ++i)
     {
     }
     runs.push_back({ material, row, { begin, i } });
   }
 }
 
-/** Reads the boxes once: their Euler characteristics and their runs. */
+/** Reads the samples once: their Euler characteristics and their runs. */
 Characteristics
-ReadBoxes(const Index & size, const RowReader & row, std::vector<MaterialRuns> & materials)
+ReadSamples(const Index & size, const RowReader & row, std::vector<MaterialRuns> & materials)
 {
   constexpr int                       LayersPerRange = 8;
   const std::size_t                   numberOfMaterials = materials.size();
-  const int                           layers = size[2] + 1; // of corners
-  const std::size_t                   ranges = (layers + LayersPerRange - 1) / LayersPerRange;
+  const std::size_t                   ranges = (size[2] + LayersPerRange - 1) / LayersPerRange;
   std::vector<Characteristics>        sums(ranges, Characteristics(numberOfMaterials, 0));
   std::vector<std::vector<PlacedRun>> runs(ranges);
-  ParallelFor(layers, LayersPerRange, [&](std::size_t begin, std::size_t end) {
+  ParallelFor(size[2], LayersPerRange, [&](std::size_t begin, std::size_t end) {
     const std::size_t range = begin / LayersPerRange;
     LayerReader       reader(size, numberOfMaterials, row);
-    reader.Advance(int(begin) - 1);
+    reader.Advance(int(begin));
     for (int k = int(begin); k < int(end); ++k)
     {
-      reader.Advance(k);
-      for (int j = 0; j <= size[1]; ++j)
+      reader.Advance(k + 1);
+      for (int j = 0; j < size[1]; ++j)
       {
-        for (int i = 0; i <= size[0]; ++i)
+        for (int i = 0; i < size[0]; ++i)
         {
-          std::array<Material, 8> around;
-          for (int box = 0; box < 8; ++box)
+          std::array<Material, 8> samples;
+          for (int n = 0; n < 8; ++n)
           {
-            around[box] = reader.At(box >> 2, i - 1 + (box & 1), j - 1 + (box >> 1 & 1));
+            samples[n] = reader.At(n >> 2, i + (n & 1), j + (n >> 1 & 1));
           }
-          CountAt(around, numberOfMaterials, sums[range]);
+          if (samples[0] < numberOfMaterials)
+          {
+            sums[range][samples[0]] += CountSimplices(samples);
+          }
         }
       }
-      for (int j = 0; j < size[1] && k < size[2]; ++j)
+      for (int j = 0; j < size[1]; ++j)
       {
         ListRuns(reader, size[0], j, std::size_t(k) * size[1] + j, runs[range]);
       }
@@ -223,22 +207,21 @@ struct Intervals
   std::vector<std::size_t> start;
 };
 
-/** Those that touch in a face are connected; if asked for, in an edge or a corner as well. */
+/** Samples are connected if the indices of one exceed those of the other by 0 or 1 each. */
 std::ptrdiff_t
-CountComponents(const Intervals & rows, bool byCorners)
+CountComponents(const Intervals & rows)
 {
-  constexpr int Earlier[4][2] = { { -1, 0 }, { 0, -1 }, { -1, -1 }, { 1, -1 } };
-  const int     slack = byCorners ? 1 : 0;
+  constexpr int Earlier[3][2] = { { -1, 0 }, { 0, -1 }, { -1, -1 } };
   DisjointSets  sets(rows.intervals.size());
   for (int k = 0; k < rows.height; ++k)
   {
     for (int j = 0; j < rows.width; ++j)
     {
-      for (int e = 0; e < (byCorners ? 4 : 2); ++e)
+      for (const auto & step : Earlier)
       {
-        const int otherJ = j + Earlier[e][0];
-        const int otherK = k + Earlier[e][1];
-        if (otherJ < 0 || otherJ >= rows.width || otherK < 0)
+        const int otherJ = j + step[0];
+        const int otherK = k + step[1];
+        if (otherJ < 0 || otherK < 0)
         {
           continue;
         }
@@ -248,13 +231,13 @@ CountComponents(const Intervals & rows, bool byCorners)
         std::size_t       b = rows.start[other];
         while (a != rows.start[row + 1] && b != rows.start[other + 1])
         {
-          const auto & first = rows.intervals[a];
-          const auto & second = rows.intervals[b];
-          if (first.begin < second.end + slack && second.begin < first.end + slack)
+          const auto & here = rows.intervals[a];
+          const auto & earlier = rows.intervals[b];
+          if (here.begin <= earlier.end && earlier.begin < here.end)
           {
             sets.Unite(std::uint32_t(a), std::uint32_t(b));
           }
-          ++(first.end < second.end ? a : b);
+          ++(here.end <= earlier.end ? a : b);
         }
       }
     }
@@ -308,67 +291,19 @@ IntervalsOf(const MaterialRuns & material, int rowsOfLayer, bool complement)
   return result;
 }
 
-/** The partition, sampled at nodes and halfway between them. */
-class PartitionSampler
-{
-public:
-  explicit PartitionSampler(const IndicatorSet & indicators)
-    : m_Indicators(indicators)
-    , m_Grid(indicators.GetGrid())
-  {}
-
-  Index
-  Size() const
-  {
-    return { { 2 * m_Grid.size[0] - 1, 2 * m_Grid.size[1] - 1, 2 * m_Grid.size[2] - 1 } };
-  }
-
-  void
-  ReadRow(int j, int k, std::vector<Material> & labels) const
-  {
-    labels.resize(2 * m_Grid.size[0] - 1);
-    for (int i = 0; i < int(labels.size()); ++i)
-    {
-      labels[i] = this->At({ { i, j, k } });
-    }
-  }
-
-private:
-  /** Where the nodes around it agree, a sample has their material. */
-  Material
-  At(const Index & sample) const
-  {
-    const Material first = m_Indicators.MaterialAtNode(m_Grid.Offset(sample[0] / 2, sample[1] / 2, sample[2] / 2));
-    for (int corner = 1; corner < 8; ++corner)
-    {
-      const auto offset = m_Grid.Offset(
-        (sample[0] + (corner & 1)) / 2, (sample[1] + (corner >> 1 & 1)) / 2, (sample[2] + (corner >> 2 & 1)) / 2);
-      if (m_Indicators.MaterialAtNode(offset) != first)
-      {
-        return m_Indicators.MaterialAt(Vector(0.5 * sample[0] * m_Grid.spacing[0],
-                                              0.5 * sample[1] * m_Grid.spacing[1],
-                                              0.5 * sample[2] * m_Grid.spacing[2]));
-      }
-    }
-    return first;
-  }
-
-  const IndicatorSet & m_Indicators;
-  const Grid &         m_Grid;
-};
 } // namespace
 
 std::vector<BettiNumbers>
-ComputeBoxTopology(const Index & size, std::size_t numberOfMaterials, const RowReader & row)
+ComputeSampleTopology(const Index & size, std::size_t numberOfMaterials, const RowReader & row)
 {
   std::vector<MaterialRuns> materials(numberOfMaterials);
-  const Characteristics     characteristics = ReadBoxes(size, row, materials);
+  const Characteristics     characteristics = ReadSamples(size, row, materials);
   std::vector<BettiNumbers> result(numberOfMaterials);
   ParallelFor(numberOfMaterials, 1, [&](std::size_t m, std::size_t) {
     if (!materials[m].runs.empty())
     {
-      const auto components = CountComponents(IntervalsOf(materials[m], size[1], false), true);
-      const auto cavities = CountComponents(IntervalsOf(materials[m], size[1], true), false) - 1;
+      const auto components = CountComponents(IntervalsOf(materials[m], size[1], false));
+      const auto cavities = CountComponents(IntervalsOf(materials[m], size[1], true)) - 1;
       result[m] = { { components, components + cavities - characteristics[m], cavities } };
     }
   });
@@ -376,11 +311,16 @@ ComputeBoxTopology(const Index & size, std::size_t numberOfMaterials, const RowR
 }
 
 std::vector<BettiNumbers>
-ComputePartitionTopology(const IndicatorSet & indicators)
+ComputePartitionTopology(const SampleLattice & lattice, const SampledMaterials & partition)
 {
-  const PartitionSampler sampler(indicators);
-  return ComputeBoxTopology(sampler.Size(),
-                            indicators.GetNumberOfMaterials(),
-                            [&](int j, int k, std::vector<Material> & labels) { sampler.ReadRow(j, k, labels); });
+  const Index & size = lattice.GetSize();
+  return ComputeSampleTopology(
+    size, lattice.GetIndicators().GetNumberOfMaterials(), [&](int j, int k, std::vector<Material> & labels) {
+      labels.resize(size[0]);
+      for (int i = 0; i < size[0]; ++i)
+      {
+        labels[i] = lattice.At(partition, { { i, j, k } });
+      }
+    });
 }
 } // namespace mmm

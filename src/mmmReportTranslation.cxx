@@ -22,12 +22,18 @@ namespace mmm
 namespace
 {
 void
+Translate(const GridGeometry & geometry, MeshingPlace & place)
+{
+  const auto point = geometry.ToPhysicalPoint(place.position);
+  place.position = Vector(point[0], point[1], point[2]);
+}
+
+void
 Translate(const GridGeometry & geometry, const InterfaceLabels & labels, std::vector<MeshingPlace> & places)
 {
   for (MeshingPlace & place : places)
   {
-    const auto point = geometry.ToPhysicalPoint(place.position);
-    place.position = Vector(point[0], point[1], point[2]);
+    Translate(geometry, place);
     place.labels = labels.OfMaterials(place.labels);
   }
 }
@@ -38,7 +44,15 @@ TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, M
 {
   Translate(geometry, labels, report.links.left);
   Translate(geometry, labels, report.inconsistentTriangles);
-  for (LabelTopology & topology : report.topology)
+  for (TopologyPlace & difference : report.topology.differences)
+  {
+    Translate(geometry, difference.place);
+    for (int & label : difference.place.labels)
+    {
+      label = labels.OfMaterial(Material(label)); // not in order of the labels: each has its change
+    }
+  }
+  for (LabelTopology & topology : report.topology.labels)
   {
     topology.label = labels.OfMaterial(Material(topology.label));
   }

@@ -177,10 +177,11 @@ TEST(Mesher, OptimizationKeepsTheTopology)
   parameters.optimization.rounds = 0;
   const auto before = Build(scene, 0, parameters).result.report;
   ASSERT_GT(optimized.optimization.collapses, 50u);
-  ASSERT_EQ(optimized.topology.size(), before.topology.size());
-  for (std::size_t m = 0; m < before.topology.size(); ++m)
+  ASSERT_EQ(optimized.topology.labels.size(), before.topology.labels.size());
+  for (std::size_t m = 0; m < before.topology.labels.size(); ++m)
   {
-    EXPECT_EQ(optimized.topology[m].mesh, before.topology[m].mesh) << "material " << before.topology[m].label;
+    EXPECT_EQ(optimized.topology.labels[m].mesh, before.topology.labels[m].mesh)
+      << "material " << before.topology.labels[m].label;
   }
 }
 

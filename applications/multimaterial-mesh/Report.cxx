@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace cli
 {
@@ -142,15 +143,35 @@ CountSection(const Outcome & outcome)
   return section;
 }
 
+/** Lists are cut off where they get long. */
+constexpr std::size_t MostPlaces = 1000;
+
+Json
+ToJson(const mmm::MeshingPlace & place)
+{
+  return { { "labels", place.labels }, { "position_mm", { place.position[0], place.position[1], place.position[2] } } };
+}
+
 Json
 PlaceList(const std::vector<mmm::MeshingPlace> & places)
 {
-  constexpr std::size_t Most = 1000;
-  Json                  section = Json::array();
-  for (std::size_t p = 0; p < places.size() && p < Most; ++p)
+  Json section = Json::array();
+  for (std::size_t p = 0; p < places.size() && p < MostPlaces; ++p)
   {
-    section.push_back({ { "labels", places[p].labels },
-                        { "position_mm", { places[p].position[0], places[p].position[1], places[p].position[2] } } });
+    section.push_back(ToJson(places[p]));
+  }
+  return section;
+}
+
+Json
+DifferenceList(const std::vector<mmm::TopologyPlace> & differences)
+{
+  Json section = Json::array();
+  for (std::size_t p = 0; p < differences.size() && p < MostPlaces; ++p)
+  {
+    Json entry = ToJson(differences[p].place);
+    entry["euler_change"] = differences[p].changes;
+    section.push_back(entry);
   }
   return section;
 }
@@ -161,20 +182,26 @@ TopologySection(const mmm::MeshingReport & report)
 {
   Json section;
   section["link_defects_found"] = { { "edges", report.links.edges },
-                                     { "points", report.links.points },
-                                     { "tetrahedra_relabelled", report.links.relabelled } };
+                                    { "points", report.links.points },
+                                    { "tetrahedra_relabelled", report.links.relabelled } };
   section["link_defects_left"] = report.links.left.size();
   section["link_defects_left_at"] = PlaceList(report.links.left);
   section["inconsistent_triangles"] = report.inconsistentTriangles.size();
   section["inconsistent_triangles_at"] = PlaceList(report.inconsistentTriangles);
+  std::ptrdiff_t unexplained = 0;
   section["betti_numbers"] = Json::array();
-  for (const auto & topology : report.topology)
+  for (const auto & topology : report.topology.labels)
   {
     section["betti_numbers"].push_back({ { "label", topology.label },
                                          { "mesh", topology.mesh },
                                          { "indicators", topology.partition },
-                                         { "equal", topology.mesh == topology.partition } });
+                                         { "equal", topology.mesh == topology.partition },
+                                         { "euler_unexplained", topology.unexplained } });
+    unexplained += std::abs(topology.unexplained);
   }
+  section["differences"] = { { "number", report.topology.differences.size() },
+                             { "unexplained", unexplained },
+                             { "places", DifferenceList(report.topology.differences) } };
   return section;
 }
 

@@ -1,0 +1,135 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmSampleLattice_h
+#define mmmSampleLattice_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "mmmIndicatorSet.h"
+#include "mmmTetrahedralMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace mmm
+{
+/** The materials at those samples of a lattice that are kept. */
+using SampledMaterials = std::vector<Material>;
+
+/** \brief A lattice of samples at twice the resolution of the grid, to compare partitions.
+ *
+ * The samples are the grid's nodes and what is halfway between them and after the last ones, all moved by the same
+ * small part of a voxel: interfaces between boxes of voxels have none on them. Those of voxels with an interface around
+ * them are kept, in arrays that live elsewhere; any other sample is of its voxel's material. */
+class MultiMaterialMeshing_EXPORT SampleLattice
+{
+public:
+  /** Samples per voxel and axis. */
+  static constexpr int         Refinement = 2;
+  static constexpr int         SamplesPerVoxel = Refinement * Refinement * Refinement;
+  static constexpr std::size_t NotKept = std::size_t(-1);
+  /** Where a mesh's interface is this close, in voxels, a sample is on either side of it. */
+  static constexpr double Tolerance = 0.1;
+
+  explicit SampleLattice(const IndicatorSet & indicators);
+
+  const IndicatorSet &
+  GetIndicators() const
+  {
+    return m_Indicators;
+  }
+  /** In samples. */
+  const Index &
+  GetSize() const
+  {
+    return m_Size;
+  }
+  bool
+  Contains(const Index & sample) const
+  {
+    return sample[0] >= 0 && sample[1] >= 0 && sample[2] >= 0 && sample[0] < m_Size[0] && sample[1] < m_Size[1] &&
+           sample[2] < m_Size[2];
+  }
+  Vector
+  Position(const Index & sample) const
+  {
+    return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
+  }
+
+  std::size_t
+  NumberOfKept() const
+  {
+    return m_Voxels.size() * SamplesPerVoxel;
+  }
+  /** Where a sample is in SampledMaterials, or NotKept. */
+  std::size_t
+  PlaceOf(const Index & sample) const;
+  /** The inverse. */
+  Index
+  SampleAt(std::size_t place) const;
+  Material
+  At(const SampledMaterials & materials, const Index & sample) const
+  {
+    const auto place = this->PlaceOf(sample);
+    return place == NotKept ? m_Indicators.MaterialAtNode(this->VoxelOf(sample)) : materials[place];
+  }
+  /** Whether the nodes around a sample are of one material, and so the sample as well. */
+  bool
+  IsDecidedByNodes(const Index & sample) const;
+
+  /** The argmax partition of the indicators. */
+  SampledMaterials
+  SamplePartition() const;
+  /** The partition that a mesh makes; what no tetrahedron fills is `exterior`. A sample from which the material that is
+   * `wanted` there is not further than Tolerance is of that material. */
+  SampledMaterials
+  SampleMesh(const std::vector<Vector> & points,
+             const TetrahedralMesh &     mesh,
+             Material                    exterior,
+             const SampledMaterials &    wanted) const;
+
+private:
+  std::size_t
+  VoxelOf(const Index & sample) const
+  {
+    return m_Indicators.GetGrid().Offset(sample[0] / Refinement, sample[1] / Refinement, sample[2] / Refinement);
+  }
+  /** Whether a voxel is marked that a tetrahedron, given in indices of samples, comes near. */
+  bool
+  HasMarked(const std::vector<char> & marks, const std::array<Vector, 4> & corners, double reach) const;
+  /** Calls visit(tetrahedron, place) for the samples that are kept and inside of a tetrahedron that comes near marked
+   * voxels. */
+  template <typename TVisitor>
+  void
+  VisitSamplesInside(const std::vector<Vector> & points,
+                     const TetrahedralMesh &     mesh,
+                     double                      reach,
+                     const std::vector<char> &   marks,
+                     const TVisitor &            visit) const;
+
+  const IndicatorSet & m_Indicators;
+  Index                m_Size;
+  Vector               m_Origin;
+  Vector               m_Step;
+  /** The voxels whose samples are kept, ascending, and each voxel's number among them. */
+  std::vector<std::size_t>   m_Voxels;
+  std::vector<std::uint32_t> m_Numbers;
+};
+} // namespace mmm
+
+#endif

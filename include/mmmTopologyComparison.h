@@ -1,0 +1,67 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmTopologyComparison_h
+#define mmmTopologyComparison_h
+
+#include "mmmIndicatorSet.h"
+#include "mmmMeshTopology.h"
+#include "mmmMeshingPlace.h"
+
+namespace mmm
+{
+/** A place where the topology of the mesh is not that of the indicators. */
+struct TopologyPlace
+{
+  MeshingPlace place;
+  /** For each of the place's labels, by how much the Euler characteristic is larger in the mesh: a component or a
+   * cavity more is 1, a tunnel more -1. */
+  std::vector<std::ptrdiff_t> changes;
+};
+
+/** The Betti numbers of a label, or of a material by its number, as in MeshingPlace. */
+struct LabelTopology
+{
+  int          label;
+  BettiNumbers mesh;
+  /** Of the argmax partition of the indicators. */
+  BettiNumbers partition;
+  /** By how much the Euler characteristic is larger in the mesh, less what the places found account for. */
+  std::ptrdiff_t unexplained;
+};
+
+/** How the topology of the mesh is that of the indicators, or not. */
+struct TopologyReport
+{
+  std::vector<LabelTopology> labels;
+  /** Where it is not. */
+  std::vector<TopologyPlace> differences;
+};
+
+/** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
+ *
+ * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples. The places are
+ * found on finer samples, see FindTopologyDifferences(): where the mesh is thinner than their distance, some may be
+ * missing. What that leaves unexplained is told. */
+MultiMaterialMeshing_EXPORT TopologyReport
+CompareTopology(const IndicatorSet &        indicators,
+                const std::vector<Vector> & points,
+                const TetrahedralMesh &     mesh,
+                Material                    exterior);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,84 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmTopologyComparison.h"
+
+#include "mmmPartitionTopology.h"
+#include "mmmTopologyDifferences.h"
+
+namespace mmm
+{
+namespace
+{
+std::ptrdiff_t
+CharacteristicOf(const BettiNumbers & betti)
+{
+  return betti[0] - betti[1] + betti[2];
+}
+
+TopologyPlace
+Describe(const SampleLattice & lattice, const TopologyDifference & difference)
+{
+  TopologyPlace entry;
+  entry.place.position = Vector::Zero();
+  for (const auto sample : difference.samples)
+  {
+    entry.place.position += lattice.Position(lattice.SampleAt(sample)) / double(difference.samples.size());
+  }
+  for (const auto & change : difference.changes)
+  {
+    entry.place.labels.push_back(int(change.material));
+    entry.changes.push_back(change.change);
+  }
+  return entry;
+}
+} // namespace
+
+TopologyReport
+CompareTopology(const IndicatorSet &        indicators,
+                const std::vector<Vector> & points,
+                const TetrahedralMesh &     mesh,
+                Material                    exterior)
+{
+  const SampleLattice         lattice(indicators);
+  const SampledMaterials      wanted = lattice.SamplePartition();
+  const SampledMaterials      actual = lattice.SampleMesh(points, mesh, exterior, wanted);
+  const auto                  partition = ComputePartitionTopology(lattice, wanted);
+  TopologyReport              report;
+  std::vector<std::ptrdiff_t> explained(partition.size() + 1, 0); // the exterior may have no number
+  for (const auto & difference : FindTopologyDifferences(lattice, wanted, actual))
+  {
+    report.differences.push_back(Describe(lattice, difference));
+    for (const auto & change : difference.changes)
+    {
+      explained[change.material] += change.change;
+    }
+  }
+  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
+  const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
+  for (std::size_t m = 0; m < partition.size(); ++m)
+  {
+    if (m != exterior)
+    {
+      const BettiNumbers & betti = topology.regions[m].betti;
+      report.labels.push_back(
+        { int(m), betti, partition[m], CharacteristicOf(betti) - CharacteristicOf(partition[m]) - explained[m] });
+    }
+  }
+  return report;
+}
+} // namespace mmm
