@@ -41,8 +41,10 @@ namespace itk
  * The boundary, first on the faces of the voxels, is anti-aliased (Whitaker 2000: mean curvature flow that leaves every
  * voxel centre on its side) and then tightened (Williams and Rossignac 2005: within what closing by a ball of Radius
  * adds and opening takes away, it moves by mean curvature to the shortest one). Then each connected part of a label
- * gets the volume of its voxels back, within half a percent, where smoothing changed it. At the image's border labels
- * are continued outwards. With a Radius of 0 none of this is done.
+ * gets the volume of its voxels back, within half a percent, where smoothing changed it. What is left of passages that
+ * are narrower than half a voxel becomes that wide, or is closed: where labels touch in edges or corners of voxels,
+ * what is connected and what is not is no chance then. At the image's border labels are continued outwards. With a
+ * Radius of 0 none of this is done.
  *
  * There are as many outputs as the image has labels, in the labels' order, all with the origin, spacing and direction
  * of the input. Output n, the indicator of GetLabels()[n], covers the label's bounding box and the band around it, so
@@ -95,6 +97,12 @@ public:
   itkSetMacro(Radius, double);
   itkGetConstMacro(Radius, double);
 
+  /** Widen the small places where two labels, voxels of which share a face there, touch through a thin sheet of a third
+   * one, rather than close them. They take small triangles. Default: false. */
+  itkSetMacro(KeepContacts, bool);
+  itkGetConstMacro(KeepContacts, bool);
+  itkBooleanMacro(KeepContacts);
+
   /** Whether each output covers only its label's bounding box and the band around it. Default: true. */
   itkSetMacro(CropToBand, bool);
   itkGetConstMacro(CropToBand, bool);
@@ -145,6 +153,7 @@ private:
   FillOutput(const mmm::Block<float> & block, double unit, TIndicatorImage * output) const;
 
   double     m_Radius{ Automatic };
+  bool       m_KeepContacts{ false };
   bool       m_CropToBand{ true };
   LabelsType m_Labels;
   double     m_BandWidth{ 0.0 };

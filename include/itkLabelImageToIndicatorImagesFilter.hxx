@@ -21,6 +21,7 @@
 #include "mmmGridGeometry.h"
 #include "mmmLabels.h"
 #include "mmmOutOfMemory.h"
+#include "mmmPassageWidening.h"
 #include "mmmVolumeCorrection.h"
 
 #include "itkPrintHelper.h"
@@ -176,6 +177,7 @@ try
   if (radius > 0.0)
   {
     mmm::CorrectVolumes(m_Materials, blocks);
+    mmm::WidenPassages(m_Materials.grid, m_KeepContacts, blocks);
   }
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {
@@ -228,6 +230,7 @@ LabelImageToIndicatorImagesFilter<TLabelImage, TIndicatorImage>::PrintSelf(std::
   using namespace print_helper;
   Superclass::PrintSelf(os, indent);
   os << indent << "Radius: " << m_Radius << std::endl;
+  os << indent << "KeepContacts: " << (m_KeepContacts ? "On" : "Off") << std::endl;
   os << indent << "CropToBand: " << (m_CropToBand ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
   os << indent << "BandWidth: " << m_BandWidth << std::endl;

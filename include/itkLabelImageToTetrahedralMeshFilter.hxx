@@ -596,6 +596,8 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::ComputeIndicators(c
   const auto filter = LabelImageToIndicatorImagesFilter<TLabelImage, IndicatorImageType>::New();
   filter->SetInput(labels);
   filter->SetRadius(geometry.ToGridUnit(m_Radius));
+  // who samples that finely wants the topology rather than the best triangles
+  filter->SetKeepContacts(m_Epsilon <= 1.0);
   this->Observe(filter, monitor);
   filter->Update();
   IndicatorImagesType images;

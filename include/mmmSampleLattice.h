@@ -31,22 +31,20 @@ namespace mmm
 /** The materials at those samples of a lattice that are kept. */
 using SampledMaterials = std::vector<Material>;
 
-/** \brief A lattice of samples at twice the resolution of the grid, to compare partitions.
+/** \brief A lattice of samples at twice or four times the resolution of the grid, to compare partitions.
  *
- * The samples are the grid's nodes and what is halfway between them and after the last ones, all moved by the same
- * small part of a voxel: interfaces between boxes of voxels have none on them. Those of voxels with an interface around
- * them are kept, in arrays that live elsewhere; any other sample is of its voxel's material. */
+ * The samples are the grid's nodes and what lies evenly between them and after the last ones, all moved by the
+ * same small part of a voxel: interfaces between boxes of voxels have none on them. Those of voxels with an interface
+ * around them are kept, in arrays that live elsewhere; any other sample is of its voxel's material. */
 class MultiMaterialMeshing_EXPORT SampleLattice
 {
 public:
-  /** Samples per voxel and axis. */
-  static constexpr int         Refinement = 2;
-  static constexpr int         SamplesPerVoxel = Refinement * Refinement * Refinement;
   static constexpr std::size_t NotKept = std::size_t(-1);
   /** Where a mesh's interface is this close, in voxels, a sample is on either side of it. */
   static constexpr double Tolerance = 0.1;
 
-  explicit SampleLattice(const IndicatorSet & indicators);
+  /** `refinement` is the number of samples per voxel and axis, 2 or 4. */
+  explicit SampleLattice(const IndicatorSet & indicators, int refinement = 2);
 
   const IndicatorSet &
   GetIndicators() const
@@ -70,11 +68,10 @@ public:
   {
     return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
   }
-
   std::size_t
   NumberOfKept() const
   {
-    return m_Voxels.size() * SamplesPerVoxel;
+    return m_Voxels.size() * m_SamplesPerVoxel;
   }
   /** Where a sample is in SampledMaterials, or NotKept. */
   std::size_t
@@ -92,9 +89,9 @@ public:
   bool
   IsDecidedByNodes(const Index & sample) const;
 
-  /** The argmax partition of the indicators. */
+  /** The argmax partition of the indicators; what is beyond the box is `exterior`. */
   SampledMaterials
-  SamplePartition() const;
+  SamplePartition(Material exterior) const;
   /** The partition that a mesh makes; what no tetrahedron fills is `exterior`. A sample from which the material that is
    * `wanted` there is not further than Tolerance is of that material. */
   SampledMaterials
@@ -104,10 +101,13 @@ public:
              const SampledMaterials &    wanted) const;
 
 private:
+  /** Some of the last samples are. */
+  bool
+  IsBeyondBox(const Index & sample) const;
   std::size_t
   VoxelOf(const Index & sample) const
   {
-    return m_Indicators.GetGrid().Offset(sample[0] / Refinement, sample[1] / Refinement, sample[2] / Refinement);
+    return m_Indicators.GetGrid().Offset(sample[0] >> m_Shift, sample[1] >> m_Shift, sample[2] >> m_Shift);
   }
   /** Whether a voxel is marked that a tetrahedron, given in indices of samples, comes near. */
   bool
@@ -123,6 +123,9 @@ private:
                      const TVisitor &            visit) const;
 
   const IndicatorSet & m_Indicators;
+  const int            m_Refinement;
+  const int            m_Shift; // divides by the refinement
+  const int            m_SamplesPerVoxel;
   Index                m_Size;
   Vector               m_Origin;
   Vector               m_Step;

@@ -56,14 +56,17 @@ IsUniform(const Grid & grid, const std::vector<Material> & materials, const Inde
 }
 } // namespace
 
-SampleLattice::SampleLattice(const IndicatorSet & indicators)
+SampleLattice::SampleLattice(const IndicatorSet & indicators, int refinement)
   : m_Indicators(indicators)
+  , m_Refinement(refinement)
+  , m_Shift(refinement / 2)
+  , m_SamplesPerVoxel(refinement * refinement * refinement)
 {
   const Grid & grid = indicators.GetGrid();
   for (int a = 0; a < 3; ++a)
   {
-    m_Size[a] = Refinement * grid.size[a];
-    m_Step[a] = grid.spacing[a] / Refinement;
+    m_Size[a] = refinement * grid.size[a];
+    m_Step[a] = grid.spacing[a] / refinement;
     m_Origin[a] = Shift[a] * m_Step[a];
   }
   std::vector<std::vector<std::size_t>> layers(grid.size[2]);
@@ -97,38 +100,54 @@ std::size_t
 SampleLattice::PlaceOf(const Index & sample) const
 {
   const auto number = m_Numbers[this->VoxelOf(sample)];
+  const int  within = m_Refinement - 1;
   return number == None
            ? NotKept
-           : std::size_t(number) * SamplesPerVoxel + (sample[2] % 2 * 2 + sample[1] % 2) * 2 + sample[0] % 2;
+           : std::size_t(number) * m_SamplesPerVoxel +
+               ((((sample[2] & within) << m_Shift) + (sample[1] & within)) << m_Shift) + (sample[0] & within);
 }
 
 Index
 SampleLattice::SampleAt(std::size_t place) const
 {
-  const int   within = int(place % SamplesPerVoxel);
-  const Index voxel = m_Indicators.GetGrid().IndexAt(m_Voxels[place / SamplesPerVoxel]);
-  return { { 2 * voxel[0] + within % 2, 2 * voxel[1] + within / 2 % 2, 2 * voxel[2] + within / 4 } };
+  const int   r = m_Refinement;
+  const int   within = int(place % m_SamplesPerVoxel);
+  const Index voxel = m_Indicators.GetGrid().IndexAt(m_Voxels[place / m_SamplesPerVoxel]);
+  return { { r * voxel[0] + within % r, r * voxel[1] + within / r % r, r * voxel[2] + within / (r * r) } };
 }
 
 bool
 SampleLattice::IsDecidedByNodes(const Index & sample) const
 {
-  return IsUniform(m_Indicators.GetGrid(),
-                   m_Indicators.NodeMaterials(),
-                   { { sample[0] / 2, sample[1] / 2, sample[2] / 2 } },
-                   { { (sample[0] + 1) / 2, (sample[1] + 1) / 2, (sample[2] + 1) / 2 } });
+  Index lower;
+  Index upper;
+  for (int a = 0; a < 3; ++a)
+  {
+    lower[a] = sample[a] >> m_Shift;
+    upper[a] = (sample[a] + m_Refinement - 1) >> m_Shift;
+  }
+  return IsUniform(m_Indicators.GetGrid(), m_Indicators.NodeMaterials(), lower, upper);
+}
+
+bool
+SampleLattice::IsBeyondBox(const Index & sample) const
+{
+  const Grid & grid = m_Indicators.GetGrid();
+  const Vector x = this->Position(sample);
+  return x[0] > grid.UpperFace(0) || x[1] > grid.UpperFace(1) || x[2] > grid.UpperFace(2);
 }
 
 SampledMaterials
-SampleLattice::SamplePartition() const
+SampleLattice::SamplePartition(Material exterior) const
 {
   SampledMaterials materials(this->NumberOfKept());
   ParallelFor(materials.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place)
     {
       const Index sample = this->SampleAt(place);
-      materials[place] = this->IsDecidedByNodes(sample) ? m_Indicators.MaterialAtNode(this->VoxelOf(sample))
-                                                        : m_Indicators.MaterialAt(this->Position(sample));
+      materials[place] = this->IsBeyondBox(sample)        ? exterior
+                         : this->IsDecidedByNodes(sample) ? m_Indicators.MaterialAtNode(this->VoxelOf(sample))
+                                                          : m_Indicators.MaterialAt(this->Position(sample));
     }
   });
   return materials;
@@ -146,8 +165,8 @@ SampleLattice::HasMarked(const std::vector<char> & marks, const std::array<Vecto
   for (int a = 0; a < 3; ++a)
   {
     const auto coordinates = { corners[0][a], corners[1][a], corners[2][a], corners[3][a] };
-    lower[a] = std::max(0, int(std::floor((std::min(coordinates) - reach) / Refinement)));
-    upper[a] = std::min(grid.size[a] - 1, int(std::floor((std::max(coordinates) + reach) / Refinement)));
+    lower[a] = std::max(0, int(std::floor((std::min(coordinates) - reach) / m_Refinement)));
+    upper[a] = std::min(grid.size[a] - 1, int(std::floor((std::max(coordinates) + reach) / m_Refinement)));
     count *= std::min(Most, std::max(0, upper[a] - lower[a] + 1));
   }
   if (count > Most)
@@ -217,10 +236,10 @@ SampleLattice::SampleMesh(const std::vector<Vector> & points,
   std::fill(marks.begin(), marks.end(), 0);
   for (std::size_t place = 0; place < materials.size(); ++place)
   {
-    marks[place / SamplesPerVoxel] |= char(materials[place] != wanted[place]);
+    marks[place / m_SamplesPerVoxel] |= char(materials[place] != wanted[place]);
   }
   std::vector<std::atomic<bool>> isNear(materials.size());
-  this->VisitSamplesInside(points, mesh, Tolerance * Refinement, marks, [&](std::size_t t, std::size_t place) {
+  this->VisitSamplesInside(points, mesh, Tolerance * m_Refinement, marks, [&](std::size_t t, std::size_t place) {
     if (mesh.materials[t] == wanted[place] && materials[place] != wanted[place])
     {
       isNear[place].store(true, std::memory_order_relaxed);

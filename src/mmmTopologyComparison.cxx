@@ -24,6 +24,9 @@ namespace mmm
 {
 namespace
 {
+/** Samples per voxel and axis: with 2, more sheets and passages of the mesh lie between them. */
+constexpr int Refinement = 4;
+
 std::ptrdiff_t
 CharacteristicOf(const BettiNumbers & betti)
 {
@@ -54,8 +57,8 @@ CompareTopology(const IndicatorSet &        indicators,
                 const TetrahedralMesh &     mesh,
                 Material                    exterior)
 {
-  const SampleLattice         lattice(indicators);
-  const SampledMaterials      wanted = lattice.SamplePartition();
+  const SampleLattice         lattice(indicators, Refinement);
+  const SampledMaterials      wanted = lattice.SamplePartition(exterior);
   const SampledMaterials      actual = lattice.SampleMesh(points, mesh, exterior, wanted);
   const auto                  partition = ComputePartitionTopology(lattice, wanted);
   TopologyReport              report;

@@ -188,7 +188,7 @@ TEST(PartitionTopology, IndicatorsOfABallHaveTheBall)
       return (x - mmm::Vector(7, 7, 7)).norm() < 4.3;
     }));
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               topology = mmm::ComputePartitionTopology(lattice, lattice.SamplePartition());
+  const auto               topology = mmm::ComputePartitionTopology(lattice, lattice.SamplePartition(0));
   EXPECT_EQ(topology[0], (Betti{ { 1, 0, 1 } }));
   EXPECT_EQ(topology[1], (Betti{ { 1, 0, 0 } }));
 }

@@ -110,7 +110,7 @@ TEST(TopologyDifferences, AreNoneBetweenEqualPartitions)
 {
   const auto               scene = MakeBall();
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               samples = lattice.SamplePartition();
+  const auto               samples = lattice.SamplePartition(0);
   EXPECT_TRUE(mmm::FindTopologyDifferences(lattice, samples, samples).empty());
 }
 
@@ -118,7 +118,7 @@ TEST(TopologyDifferences, AreNoneWhereASurfaceIsALittleOff)
 {
   const auto               scene = MakeBall();
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               samples = lattice.SamplePartition();
+  const auto               samples = lattice.SamplePartition(0);
   const auto bulge = Changed(lattice, samples, 1, [](const Vector & x) { return x.norm() < 6.2 && x[0] > 1.0; });
   ASSERT_NE(bulge, samples);
   EXPECT_TRUE(mmm::FindTopologyDifferences(lattice, samples, bulge).empty());
@@ -128,7 +128,7 @@ TEST(TopologyDifferences, TellOfAPartThatIsExtra)
 {
   const auto               scene = MakeBall();
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               samples = lattice.SamplePartition();
+  const auto               samples = lattice.SamplePartition(0);
   const Vector             at(6.5, 0.0, 0.0);
   const auto extra = Changed(lattice, samples, 1, [&](const Vector & x) { return (x - at).norm() < 0.6; });
   const auto differences = mmm::FindTopologyDifferences(lattice, samples, extra);
@@ -153,7 +153,7 @@ TEST(TopologyDifferences, TellOfATunnelThatIsFilled)
     return std::hypot(radius(x) - 3.7, x[2] - centre[2]) < 2.9 ? 1 : 0;
   }));
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               samples = lattice.SamplePartition();
+  const auto               samples = lattice.SamplePartition(0);
   ASSERT_EQ(mmm::ComputePartitionTopology(lattice, samples)[1], (mmm::BettiNumbers{ { 1, 1, 0 } }));
   const auto filled = Changed(
     lattice, samples, 1, [&](const Vector & x) { return std::hypot(x[0], x[1]) < 2.0 && std::abs(x[2]) < 0.6; });
@@ -171,7 +171,7 @@ TEST(TopologyDifferences, AddUpToThatOfTheCharacteristics)
 {
   const auto               scene = MakeBall();
   const mmm::SampleLattice lattice(*scene.indicators);
-  const auto               samples = lattice.SamplePartition();
+  const auto               samples = lattice.SamplePartition(0);
   for (int seed = 0; seed < 5; ++seed)
   {
     auto noise = samples;
@@ -212,13 +212,13 @@ TEST(SampleLattice, MeshOfTheWholeBoxIsOfItsMaterial)
   {
     std::swap(points[0], points[1]);
   }
-  const auto samples = lattice.SampleMesh(points, mesh, 0, lattice.SamplePartition());
+  const auto samples = lattice.SampleMesh(points, mesh, 0, lattice.SamplePartition(0));
   for (const auto m : samples)
   {
     EXPECT_EQ(m, 1);
   }
   // without any tetrahedron, all is exterior
-  for (const auto m : lattice.SampleMesh(points, mmm::TetrahedralMesh(), 0, lattice.SamplePartition()))
+  for (const auto m : lattice.SampleMesh(points, mmm::TetrahedralMesh(), 0, lattice.SamplePartition(0)))
   {
     EXPECT_EQ(m, 0);
   }

@@ -1,0 +1,467 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmPassageWidening.h"
+
+#include "mmmIndicatorSmoothing.h"
+#include "mmmParallel.h"
+#include "mmmSampleLattice.h"
+#include "mmmSampleNeighbours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace mmm
+{
+namespace
+{
+constexpr int Refinement = 2;
+/** How much the largest indicator exceeds the second where a passage is wide enough, in voxels; an interface lies at
+ * half of that. */
+constexpr float PassageLead = 0.5f;
+/** By how much a node's material leads at least. */
+constexpr float NodeLead = 0.3f;
+/** What has been widened may leave something else narrow. */
+constexpr int         Passes = 3;
+constexpr std::size_t PlacesPerRange = 4096;
+
+IndicatorSet
+MakeIndicatorSet(const Grid & grid, const std::vector<Block<float>> & blocks)
+{
+  std::vector<IndicatorBricks> indicators;
+  for (const auto & block : blocks)
+  {
+    indicators.emplace_back(
+      grid, BlockView<const float>{ block.lower, block.size, block.values.data() }, -float(IndicatorBandWidth));
+  }
+  return IndicatorSet(grid, std::move(indicators), -IndicatorBandWidth);
+}
+
+/** A sample whose material leads by little. */
+struct WeakSample
+{
+  std::size_t place;
+  float       lead;
+  Material    second;
+};
+
+/** What an indicator gets at a node, or loses. */
+struct Raise
+{
+  std::size_t node;
+  Material    material;
+  float       amount;
+
+  bool
+  operator<(const Raise & other) const
+  {
+    return node != other.node           ? node < other.node
+           : material != other.material ? material < other.material
+           : IsLoss() != other.IsLoss() ? other.IsLoss()
+                                        : std::abs(amount) > std::abs(other.amount);
+  }
+  bool
+  IsLoss() const
+  {
+    return amount < 0.0f;
+  }
+};
+
+/** Keeps the largest gain and the largest loss of each material at a node. */
+void
+KeepLargest(std::vector<Raise> & raises)
+{
+  std::sort(raises.begin(), raises.end());
+  const auto isSame = [](const Raise & a, const Raise & b) {
+    return a.node == b.node && a.material == b.material && a.IsLoss() == b.IsLoss();
+  };
+  raises.erase(std::unique(raises.begin(), raises.end(), isSame), raises.end());
+}
+
+class PassageWidener
+{
+public:
+  PassageWidener(const Grid & grid, bool keepContacts, std::vector<Block<float>> & blocks)
+    : m_Grid(grid)
+    , m_KeepContacts(keepContacts)
+    , m_Blocks(blocks)
+    , m_Indicators(MakeIndicatorSet(grid, blocks))
+    , m_Lattice(m_Indicators, Refinement)
+    , m_Materials(m_Lattice.NumberOfKept())
+    , m_IsClosed(m_Materials.size(), 0)
+  {}
+
+  void
+  Widen()
+  {
+    std::vector<std::size_t> places(m_Materials.size());
+    std::iota(places.begin(), places.end(), 0);
+    for (int pass = 0; pass < Passes && !places.empty(); ++pass)
+    {
+      if (pass > 0)
+      {
+        m_Indicators = MakeIndicatorSet(m_Grid, m_Blocks);
+      }
+      const auto weak = this->Collect<WeakSample>(
+        places, [this](std::size_t place, std::vector<WeakSample> & found) { this->SampleAt(place, found); });
+      auto raises = this->Collect<Raise>(places, [this](std::size_t place, std::vector<Raise> & found) {
+        m_IsClosed[place] = this->AddContacts(m_Lattice.SampleAt(place), m_Materials[place], found);
+      });
+      for (const WeakSample & sample : weak)
+      {
+        this->AddRaises(sample, raises);
+      }
+      KeepLargest(raises);
+      this->Apply(raises);
+      places = this->PlacesAround(raises);
+    }
+  }
+
+private:
+  /** What visit(place, found) finds at some places, in their order. */
+  template <typename T, typename TVisitor>
+  static std::vector<T>
+  Collect(const std::vector<std::size_t> & places, const TVisitor & visit)
+  {
+    std::vector<std::vector<T>> parts((places.size() + PlacesPerRange - 1) / PlacesPerRange);
+    ParallelFor(places.size(), PlacesPerRange, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n)
+      {
+        visit(places[n], parts[begin / PlacesPerRange]);
+      }
+    });
+    std::vector<T> all;
+    for (const auto & part : parts)
+    {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+  }
+
+  void
+  SampleAt(std::size_t place, std::vector<WeakSample> & weak)
+  {
+    const Index sample = m_Lattice.SampleAt(place);
+    if (m_Lattice.IsDecidedByNodes(sample))
+    {
+      m_Materials[place] = m_Indicators.MaterialAtNode(
+        m_Grid.Offset(sample[0] / Refinement, sample[1] / Refinement, sample[2] / Refinement));
+      return;
+    }
+    const Vector x = m_Lattice.Position(sample);
+    Material     best[2] = { 0, 0 };
+    double       values[2] = { -1e300, -1e300 };
+    const auto   range = m_Indicators.Candidates(x);
+    for (auto m = range.first; m != range.second; ++m)
+    {
+      const double value = m_Indicators.Value(*m, x);
+      if (value > values[0])
+      {
+        best[1] = best[0];
+        values[1] = values[0];
+        best[0] = *m;
+        values[0] = value;
+      }
+      else if (value > values[1])
+      {
+        best[1] = *m;
+        values[1] = value;
+      }
+    }
+    m_Materials[place] = best[0];
+    const auto lead = float(values[0] - values[1]);
+    if (lead < PassageLead)
+    {
+      weak.push_back({ place, lead, best[1] });
+    }
+  }
+
+  /** The nodes around what is between two samples, or around one. */
+  struct NodeBox
+  {
+    Index lower;
+    Index upper;
+
+    template <typename TVisitor>
+    void
+    Visit(TVisitor && visit) const
+    {
+      for (int k = lower[2]; k <= upper[2]; ++k)
+      {
+        for (int j = lower[1]; j <= upper[1]; ++j)
+        {
+          for (int i = lower[0]; i <= upper[0]; ++i)
+          {
+            visit(Index{ { i, j, k } });
+          }
+        }
+      }
+    }
+  };
+
+  NodeBox
+  NodesAround(const Index & sample, const Index & other) const
+  {
+    NodeBox box;
+    for (int a = 0; a < 3; ++a)
+    {
+      box.lower[a] = sample[a] / Refinement;
+      box.upper[a] = std::min((other[a] + Refinement - 1) / Refinement, m_Grid.size[a] - 1);
+    }
+    return box;
+  }
+
+  /** What a weak sample needs if it holds something together, or apart. */
+  void
+  AddRaises(const WeakSample & weak, std::vector<Raise> & raises) const
+  {
+    // interpolation halfway between nodes gives so much of what its two nodes get
+    constexpr double Halfway = 9.0 / 8.0;
+    const Index      sample = m_Lattice.SampleAt(weak.place);
+    const Material   own = m_Materials[weak.place];
+    if (m_IsClosed[weak.place] || (m_Neighbours.IsDisk(this->NeighboursOf(sample, own)) &&
+                                   m_Neighbours.IsDisk(this->NeighboursOf(sample, weak.second))))
+    {
+      return;
+    }
+    const NodeBox box = this->NodesAround(sample, sample);
+    double        amount = PassageLead - weak.lead;
+    for (int a = 0; a < 3; ++a)
+    {
+      amount /= box.upper[a] > box.lower[a] ? Halfway : 1.0;
+    }
+    box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), own, float(amount) }); });
+  }
+
+  /** What is to change where a sample touches others of another material, and a third one that holds something together
+   * around it could come between them. Returns whether that one shall. */
+  bool
+  AddContacts(const Index & sample, Material own, std::vector<Raise> & raises) const
+  {
+    std::array<Material, SampleNeighbours::Count> around;
+    for (int n = 0; n < SampleNeighbours::Count; ++n)
+    {
+      around[n] = this->AtNearest(SampleNeighbours::Of(sample, n));
+    }
+    const auto other = std::find_if(around.begin(), around.end(), [&](Material m) { return m != own; });
+    if (std::all_of(other, around.end(), [&](Material m) { return m == own || m == *other; }))
+    {
+      return false;
+    }
+    bool isClosed = false;
+    for (auto third = around.begin(); third != around.end(); ++third)
+    {
+      if (*third == own || std::find(around.begin(), third, *third) != third ||
+          m_Neighbours.IsDisk(SetOf(around, *third)))
+      {
+        continue;
+      }
+      for (int n = 0; n < SampleNeighbours::Count; ++n)
+      {
+        if (around[n] != own && around[n] != *third)
+        {
+          isClosed |= this->AddContact(sample, n, Cell{ own, around[n] }, *third, raises);
+        }
+      }
+    }
+    return isClosed;
+  }
+
+  /** The same for a sample and its n-th neighbour, which are of a pair of materials. */
+  bool
+  AddContact(const Index & sample, int n, const Cell & pair, Material third, std::vector<Raise> & raises) const
+  {
+    const Index other = SampleNeighbours::Of(sample, n);
+    if (!m_Lattice.Contains(other))
+    {
+      return false;
+    }
+    const Vector x = 0.5 * (m_Lattice.Position(sample) + m_Lattice.Position(other));
+    const auto lead = float(std::max(m_Indicators.Value(*pair.begin(), x), m_Indicators.Value(*(pair.begin() + 1), x)) -
+                            m_Indicators.Value(third, x));
+    if (lead >= PassageLead)
+    {
+      return false;
+    }
+    // the first neighbours are those of larger indices
+    const bool    isUpper = n < SampleNeighbours::Count / 2;
+    const NodeBox box = isUpper ? this->NodesAround(sample, other) : this->NodesAround(other, sample);
+    const bool    isKept = m_KeepContacts && this->ShareFace(box, pair);
+    const float   amount = isKept ? lead - PassageLead : lead + PassageLead;
+    box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), third, amount }); });
+    return !isKept;
+  }
+
+  /** Whether voxels of two materials share a face, of some voxels. */
+  bool
+  ShareFace(const NodeBox & box, const Cell & pair) const
+  {
+    bool isShared = false;
+    box.Visit([&](const Index & node) {
+      const Material here = m_Indicators.MaterialAtNode(m_Grid.Offset(node));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Index next = node;
+        if (++next[axis] <= box.upper[axis])
+        {
+          const Material there = m_Indicators.MaterialAtNode(m_Grid.Offset(next));
+          isShared = isShared || (here != there && pair.Has(here) && pair.Has(there));
+        }
+      }
+    });
+    return isShared;
+  }
+
+  /** Beyond the border a sample is as the one on it. */
+  Material
+  AtNearest(Index sample) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      sample[a] = std::min(std::max(sample[a], 0), m_Lattice.GetSize()[a] - 1);
+    }
+    return m_Lattice.At(m_Materials, sample);
+  }
+
+  static unsigned
+  SetOf(const std::array<Material, SampleNeighbours::Count> & around, Material material)
+  {
+    unsigned set = 0;
+    for (int n = 0; n < SampleNeighbours::Count; ++n)
+    {
+      set |= unsigned(around[n] == material) << n;
+    }
+    return set;
+  }
+
+  unsigned
+  NeighboursOf(const Index & sample, Material material) const
+  {
+    std::array<Material, SampleNeighbours::Count> around;
+    for (int n = 0; n < SampleNeighbours::Count; ++n)
+    {
+      around[n] = this->AtNearest(SampleNeighbours::Of(sample, n));
+    }
+    return SetOf(around, material);
+  }
+
+  /** As far as each node keeps its material. */
+  void
+  Apply(const std::vector<Raise> & raises)
+  {
+    for (const Raise & raise : raises)
+    {
+      const Index    node = m_Grid.IndexAt(raise.node);
+      const Material own = m_Indicators.MaterialAtNode(raise.node);
+      float * const  value = this->ValueAt(raise.material, node);
+      if (value == nullptr)
+      {
+        continue;
+      }
+      float amount = raise.amount;
+      if ((own == raise.material) == raise.IsLoss())
+      {
+        const float spare = std::max(0.0f, this->LeadAtNode(own, raise.material, node) - NodeLead);
+        amount = std::min(std::max(amount, -spare), spare);
+      }
+      *value += amount;
+    }
+  }
+
+  float *
+  ValueAt(Material material, const Index & node) const
+  {
+    Block<float> & block = m_Blocks[material];
+    Index          at;
+    for (int a = 0; a < 3; ++a)
+    {
+      at[a] = node[a] - block.lower[a];
+      if (at[a] < 0 || at[a] >= block.size[a])
+      {
+        return nullptr;
+      }
+    }
+    return &block.values[(std::size_t(at[2]) * block.size[1] + at[1]) * block.size[0] + at[0]];
+  }
+
+  /** By how much a node's material leads another one or, if that is the same, everybody. */
+  float
+  LeadAtNode(Material own, Material other, const Index & node) const
+  {
+    const auto range = m_Indicators.Candidates(m_Grid.Position(node));
+    float      largest = -1e30f;
+    for (auto m = range.first; m != range.second; ++m)
+    {
+      const float * value = *m != own && (*m == other || other == own) ? this->ValueAt(*m, node) : nullptr;
+      largest = value ? std::max(largest, *value) : largest;
+    }
+    return *this->ValueAt(own, node) - largest;
+  }
+
+  /** The places that interpolation takes changes to, ascending. */
+  std::vector<std::size_t>
+  PlacesAround(const std::vector<Raise> & raises) const
+  {
+    std::vector<std::size_t> places;
+    for (const Raise & raise : raises)
+    {
+      const Index   node = m_Grid.IndexAt(raise.node);
+      const NodeBox box{ m_Grid.Clamp({ { node[0] - 2, node[1] - 2, node[2] - 2 } }),
+                         m_Grid.Clamp({ { node[0] + 2, node[1] + 2, node[2] + 2 } }) };
+      box.Visit([&](const Index & at) {
+        const auto first = m_Lattice.PlaceOf({ { Refinement * at[0], Refinement * at[1], Refinement * at[2] } });
+        if (first != SampleLattice::NotKept)
+        {
+          places.push_back(first);
+        }
+      });
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    constexpr std::size_t    PerVoxel = Refinement * Refinement * Refinement;
+    std::vector<std::size_t> all;
+    all.reserve(PerVoxel * places.size());
+    for (const auto first : places)
+    {
+      for (std::size_t n = 0; n < PerVoxel; ++n)
+      {
+        all.push_back(first + n);
+      }
+    }
+    return all;
+  }
+
+  const Grid &                m_Grid;
+  const bool                  m_KeepContacts;
+  std::vector<Block<float>> & m_Blocks;
+  IndicatorSet                m_Indicators;
+  const SampleLattice         m_Lattice;
+  const SampleNeighbours      m_Neighbours;
+  std::vector<Material>       m_Materials;
+  /** The samples that another material shall close. */
+  std::vector<char> m_IsClosed;
+};
+} // namespace
+
+void
+WidenPassages(const Grid & grid, bool keepContacts, std::vector<Block<float>> & indicators)
+{
+  PassageWidener(grid, keepContacts, indicators).Widen();
+}
+} // namespace mmm
