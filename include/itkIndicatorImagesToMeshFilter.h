@@ -129,6 +129,12 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** Sample the interfaces more finely until each label is connected as its indicator says, as far as possible.
+   * Otherwise that is done in two rounds only. Default: false. */
+  itkSetMacro(KeepTopology, bool);
+  itkGetConstMacro(KeepTopology, bool);
+  itkBooleanMacro(KeepTopology);
+
   /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
    * region, see MeshingReport::topology. Default: false. */
   itkSetMacro(CompareTopology, bool);
@@ -238,6 +244,7 @@ private:
   LabelType                                 m_OutsideLabel{ 0 };
   std::uint64_t                             m_Seed{ 1 };
   bool                                      m_SurfaceOnly{ false };
+  bool                                      m_KeepTopology{ false };
   bool                                      m_CompareTopology{ false };
   SizeValueType                             m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
   double                                    m_MaximumMemory{ std::numeric_limits<double>::infinity() };

@@ -261,6 +261,7 @@ try
   parameters.exterior = m_ExteriorIndex;
   parameters.seed = m_Seed;
   parameters.surfaceOnly = m_SurfaceOnly;
+  parameters.keepTopology = m_KeepTopology;
   parameters.compareTopology = m_CompareTopology;
   mmm::MeshingResult result;
   result.report.estimate = m_Report.estimate;
@@ -453,6 +454,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::PrintSelf(std::ostrea
   os << indent << "OutsideLabel: " << m_OutsideLabel << std::endl;
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "KeepTopology: " << (m_KeepTopology ? "On" : "Off") << std::endl;
   os << indent << "CompareTopology: " << (m_CompareTopology ? "On" : "Off") << std::endl;
   os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;

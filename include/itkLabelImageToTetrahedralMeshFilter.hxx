@@ -658,6 +658,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::BuildMeshes(const T
   filter->SetOutsideLabel(m_ExteriorLabels.empty() ? 0 : m_ExteriorLabels.front());
   filter->SetSeed(m_Seed);
   filter->SetSurfaceOnly(m_SurfaceOnly);
+  filter->SetKeepTopology(m_Epsilon <= 1.0);
   filter->SetCompareTopology(m_CompareTopology);
   filter->SetMaximumNumberOfTetrahedra(m_MaximumNumberOfTetrahedra);
   filter->SetMaximumMemory(m_MaximumMemory);

@@ -41,6 +41,8 @@ struct MeshingParameters
   OptimizationParameters optimization;
   /** Leave only the surface: no particles of the interior, no tetrahedra in the end. */
   bool surfaceOnly{ false };
+  /** Add particles until the topology of the surface is that of the indicators, as far as possible. */
+  bool keepTopology{ false };
   /** Compare the Betti numbers of the mesh with those of the indicators' partition. */
   bool compareTopology{ false };
 };

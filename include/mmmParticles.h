@@ -21,6 +21,7 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mmmIndicatorSet.h"
 #include "mmmMonitor.h"
+#include "mmmSampleLattice.h"
 #include "mmmSizingField.h"
 
 #include <cstdint>
@@ -102,6 +103,16 @@ MultiMaterialMeshing_EXPORT std::size_t
                                                 std::uint64_t                    seed,
                                                 const std::vector<std::size_t> & nodes,
                                                 ParticleSet &                    particles);
+
+/** The same around some samples of a partition, from the cubes of samples there. */
+MultiMaterialMeshing_EXPORT std::size_t
+                            SeedParticlesAround(const SampleLattice &      lattice,
+                                                const SampledMaterials &   partition,
+                                                const std::vector<Index> & samples,
+                                                const SizingField &        sizing,
+                                                int                        exterior,
+                                                std::uint64_t              seed,
+                                                ParticleSet &              particles);
 
 /** \brief Moves the particles of the cells of dimension `dimension` apart until their spacing follows h.
  *

@@ -23,6 +23,7 @@
 #include "mmmTetrahedralMesh.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -68,6 +69,14 @@ public:
   {
     return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
   }
+  /** The nearest sample, which may be beyond the lattice. */
+  Index
+  SampleNear(const Vector & x) const
+  {
+    const Vector at = (x - m_Origin).cwiseQuotient(m_Step);
+    return { { int(std::lround(at[0])), int(std::lround(at[1])), int(std::lround(at[2])) } };
+  }
+
   std::size_t
   NumberOfKept() const
   {

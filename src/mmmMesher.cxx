@@ -191,8 +191,15 @@ BuildMesh(const IndicatorSet &      indicators,
       << " particles found a place on one. The image needs at least one voxel of a label that is "
          "not exterior.");
   }
-  result.interfaces =
-    BuildSurface(indicators, sizing, parameters.exterior, parameters.seed, sizes, particles, monitor, report);
+  result.interfaces = BuildSurface(indicators,
+                                   sizing,
+                                   parameters.exterior,
+                                   parameters.seed,
+                                   parameters.keepTopology,
+                                   sizes,
+                                   particles,
+                                   monitor,
+                                   report);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);

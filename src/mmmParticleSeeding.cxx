@@ -54,65 +54,100 @@ public:
   void
   SeedCube(const Index & lower, std::vector<Seed> & seeds) const
   {
-    constexpr int Most = 8 + 6; // a material a corner, and the planes
-    Material      present[Most];
-    int           count = 0;
+    Material present[Most];
+    int      count = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
       const Index node{ { lower[0] + (corner & 1), lower[1] + ((corner >> 1) & 1), lower[2] + (corner >> 2) } };
       this->AddMaterials(node, present, count);
     }
-    if (count < 2)
+    const Grid & grid = m_Indicators.GetGrid();
+    Vector       centre;
+    for (int a = 0; a < 3; ++a)
     {
-      return;
+      centre[a] = (lower[a] + 0.5) * grid.spacing[a];
     }
-    std::sort(present, present + std::min(count, Most));
+    this->SeedCells(centre, present, count, seeds);
+  }
+
+  /** `lower` is the cube's lowest sample. Only samples within the lattice count. */
+  void
+  SeedCube(const SampleLattice &    lattice,
+           const SampledMaterials & partition,
+           const Index &            lower,
+           std::vector<Seed> &      seeds) const
+  {
+    Material present[Most];
+    int      count = 0;
+    Vector   centre = Vector::Zero();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const Index sample{ { lower[0] + (corner & 1), lower[1] + ((corner >> 1) & 1), lower[2] + (corner >> 2) } };
+      centre += 0.125 * lattice.Position(sample);
+      if (lattice.Contains(sample))
+      {
+        Add(lattice.At(partition, sample), present, count);
+      }
+    }
+    this->SeedCells(centre, present, count, seeds);
+  }
+
+private:
+  static constexpr int Most = 8 + 6; // a material a corner, and the planes
+
+  static void
+  Add(Material material, Material * present, int & count)
+  {
+    if (std::find(present, present + count, material) == present + count)
+    {
+      present[count++] = material;
+    }
+  }
+
+  /** Every pair, triple and quadruple of some materials. */
+  void
+  SeedCells(const Vector & centre, Material * present, int count, std::vector<Seed> & seeds) const
+  {
+    std::sort(present, present + count);
     for (int a = 0; a < count; ++a)
     {
       for (int b = a + 1; b < count; ++b)
       {
-        this->SeedCell(lower, Cell{ present[a], present[b] }, seeds);
+        this->SeedCell(centre, Cell{ present[a], present[b] }, seeds);
         for (int c = b + 1; c < count; ++c)
         {
-          this->SeedCell(lower, Cell{ present[a], present[b], present[c] }, seeds);
+          this->SeedCell(centre, Cell{ present[a], present[b], present[c] }, seeds);
           for (int d = c + 1; d < count; ++d)
           {
-            this->SeedCell(lower, Cell{ present[a], present[b], present[c], present[d] }, seeds);
+            this->SeedCell(centre, Cell{ present[a], present[b], present[c], present[d] }, seeds);
           }
         }
       }
     }
   }
 
-private:
   /** A node beyond the border stands for all the planes that it lies behind. */
   void
   AddMaterials(const Index & node, Material * present, int & count) const
   {
     const Grid & grid = m_Indicators.GetGrid();
-    const auto   add = [&](Material m) {
-      if (std::find(present, present + count, m) == present + count)
-      {
-        present[count++] = m;
-      }
-    };
-    bool within = true;
+    bool         within = true;
     for (int a = 0; a < 3; ++a)
     {
       if (node[a] < 0 || node[a] >= grid.size[a])
       {
-        add(Material(m_Indicators.GetNumberOfMaterials() + 2 * a + (node[a] < 0 ? 0 : 1)));
+        Add(Material(m_Indicators.GetNumberOfMaterials() + 2 * a + (node[a] < 0 ? 0 : 1)), present, count);
         within = false;
       }
     }
     if (within)
     {
-      add(m_Indicators.MaterialAtNode(grid.Offset(node)));
+      Add(m_Indicators.MaterialAtNode(grid.Offset(node)), present, count);
     }
   }
 
   void
-  SeedCell(const Index & lower, const Cell & cell, std::vector<Seed> & seeds) const
+  SeedCell(Vector x, const Cell & cell, std::vector<Seed> & seeds) const
   {
     const bool meshed = std::any_of(
       cell.begin(), cell.end(), [&](Material m) { return int(m) != m_Exterior && !m_Indicators.IsPlane(m); });
@@ -120,13 +155,7 @@ private:
     {
       return;
     }
-    const Grid & grid = m_Indicators.GetGrid();
-    Vector       x;
-    for (int a = 0; a < 3; ++a)
-    {
-      x[a] = (lower[a] + 0.5) * grid.spacing[a];
-    }
-    const double reach = SeedReach * grid.spacing.maxCoeff();
+    const double reach = SeedReach * m_Indicators.GetGrid().spacing.maxCoeff();
     if (m_Indicators.ProjectWhereMaximal(cell, x, reach, MaximalityTolerance))
     {
       seeds.push_back({ x, cell.count == 2 ? m_Indicators.Normal(cell, x) : Vector::Zero(), cell, 0 });
@@ -137,18 +166,17 @@ private:
   const int            m_Exterior;
 };
 
-/** Seeds from `count` cubes in their order; cubeAt(n) is the lowest node of one. */
-template <typename TCubeAt>
+/** Seeds from `count` cubes in their order; seedCube(n, seeds) adds those of one. */
+template <typename TSeedCube>
 std::vector<Seed>
-CollectSeeds(const IndicatorSet & indicators, int exterior, std::size_t count, const TCubeAt & cubeAt)
+CollectSeeds(std::size_t count, const TSeedCube & seedCube)
 {
   constexpr std::size_t          Grain = 256;
-  const CubeSeeder               seeder(indicators, exterior);
   std::vector<std::vector<Seed>> parts((count + Grain - 1) / Grain);
   ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
     {
-      seeder.SeedCube(cubeAt(c), parts[begin / Grain]);
+      seedCube(c, parts[begin / Grain]);
     }
   });
   std::vector<Seed> seeds;
@@ -158,6 +186,23 @@ CollectSeeds(const IndicatorSet & indicators, int exterior, std::size_t count, c
     std::vector<Seed>().swap(part);
   }
   return seeds;
+}
+
+/** The cubes that have one of some places as a corner, each once. */
+std::vector<Index>
+CubesAround(const std::vector<Index> & places)
+{
+  std::vector<Index> cubes;
+  for (const Index & at : places)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      cubes.push_back({ { at[0] - (corner & 1), at[1] - ((corner >> 1) & 1), at[2] - (corner >> 2) } });
+    }
+  }
+  std::sort(cubes.begin(), cubes.end());
+  cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
+  return cubes;
 }
 
 /** Adds those seeds that are far enough from all particles before them: those of lower cells first, then at random. */
@@ -235,12 +280,13 @@ SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int e
   {
     ++size;
   }
-  const auto cubeAt = [&cubes](std::size_t n) {
+  const CubeSeeder seeder(indicators, exterior);
+  const auto       seeds = CollectSeeds(cubes.NumberOfNodes(), [&](std::size_t n, std::vector<Seed> & found) {
     const Index at = cubes.IndexAt(n);
-    return Index{ { at[0] - 1, at[1] - 1, at[2] - 1 } };
-  };
-  ParticleSet particles;
-  AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes.NumberOfNodes(), cubeAt), particles);
+    seeder.SeedCube({ { at[0] - 1, at[1] - 1, at[2] - 1 } }, found);
+  });
+  ParticleSet      particles;
+  AddThinned(indicators, sizing, seed, seeds, particles);
   return particles;
 }
 
@@ -252,18 +298,32 @@ SeedParticlesAround(const IndicatorSet &             indicators,
                     const std::vector<std::size_t> & nodes,
                     ParticleSet &                    particles)
 {
-  std::vector<Index> cubes;
+  std::vector<Index> places;
   for (const auto n : nodes)
   {
-    const Index at = indicators.GetGrid().IndexAt(n);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      cubes.push_back(Index{ { at[0] - (corner & 1), at[1] - ((corner >> 1) & 1), at[2] - (corner >> 2) } });
-    }
+    places.push_back(indicators.GetGrid().IndexAt(n));
   }
-  std::sort(cubes.begin(), cubes.end());
-  cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
-  const auto cubeAt = [&cubes](std::size_t n) { return cubes[n]; };
-  return AddThinned(indicators, sizing, seed, CollectSeeds(indicators, exterior, cubes.size(), cubeAt), particles);
+  const auto       cubes = CubesAround(places);
+  const CubeSeeder seeder(indicators, exterior);
+  const auto       seeds =
+    CollectSeeds(cubes.size(), [&](std::size_t n, std::vector<Seed> & found) { seeder.SeedCube(cubes[n], found); });
+  return AddThinned(indicators, sizing, seed, seeds, particles);
+}
+
+std::size_t
+SeedParticlesAround(const SampleLattice &      lattice,
+                    const SampledMaterials &   partition,
+                    const std::vector<Index> & samples,
+                    const SizingField &        sizing,
+                    int                        exterior,
+                    std::uint64_t              seed,
+                    ParticleSet &              particles)
+{
+  const auto       cubes = CubesAround(samples);
+  const CubeSeeder seeder(lattice.GetIndicators(), exterior);
+  const auto       seeds = CollectSeeds(cubes.size(), [&](std::size_t n, std::vector<Seed> & found) {
+    seeder.SeedCube(lattice, partition, cubes[n], found);
+  });
+  return AddThinned(lattice.GetIndicators(), sizing, seed, seeds, particles);
 }
 } // namespace mmm

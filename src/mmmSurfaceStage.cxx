@@ -22,10 +22,13 @@
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
+#include "mmmStuckTetrahedra.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
+#include "mmmTopologyDifferences.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace mmm
@@ -35,6 +38,14 @@ namespace
 /** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
 constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
+/** The first triangulation that is compared with the partition of the indicators. Where its topology is another one,
+ * particles are added. */
+constexpr int FirstComparison = SurfaceRounds - 1;
+/** Triangulations after the sweeps that add such particles, at most; where the topology is to be kept. */
+constexpr int MendingRounds = 1;
+constexpr int MostMendingRounds = 6;
+/** In each of these rounds the distance is smaller by this factor. */
+constexpr double MendingShrinkage = 0.75;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
  * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
 constexpr double RecoverySize = 0.5;
@@ -43,18 +54,22 @@ constexpr double RecoveryReach = 6.0;
 /** Corners of small labels are not worth it where sizes are this large, which is by someone's wish. */
 constexpr float CoarseSize = 1.75f;
 
-/** Makes sizes small at some nodes, and so around them that they grow with distance no faster than usual. */
+/** Makes sizes small at some places, and so around them that they grow with distance no faster than usual. */
 void
-RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vector<float> & sizes)
+RefineSizes(const Grid & grid, const std::vector<Vector> & places, double smallest, std::vector<float> & sizes)
 {
   Index reach;
   for (int a = 0; a < 3; ++a)
   {
     reach[a] = int(RecoveryReach / grid.spacing[a]);
   }
-  for (const auto n : nodes)
+  for (const Vector & place : places)
   {
-    const Index centre = grid.IndexAt(n);
+    Index centre;
+    for (int a = 0; a < 3; ++a)
+    {
+      centre[a] = int(std::floor(place[a] / grid.spacing[a] + 0.5));
+    }
     for (int k = -reach[2]; k <= reach[2]; ++k)
     {
       for (int j = -reach[1]; j <= reach[1]; ++j)
@@ -64,14 +79,42 @@ RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vect
           const Index at{ { centre[0] + i, centre[1] + j, centre[2] + k } };
           if (grid.Contains(at))
           {
-            const double distance = Vector(i * grid.spacing[0], j * grid.spacing[1], k * grid.spacing[2]).norm();
+            const double distance = (grid.Position(at) - place).norm();
             float &      size = sizes[grid.Offset(at)];
-            size = std::min(size, float(RecoverySize + RecoveryGrowth * distance));
+            size = std::min(size, float(smallest + RecoveryGrowth * distance));
           }
         }
       }
     }
   }
+}
+
+/** The same for grid nodes, at the usual distance. */
+void
+RefineSizes(const Grid & grid, const std::vector<std::size_t> & nodes, std::vector<float> & sizes)
+{
+  std::vector<Vector> places;
+  for (const auto n : nodes)
+  {
+    places.push_back(grid.Position(grid.IndexAt(n)));
+  }
+  RefineSizes(grid, places, RecoverySize, sizes);
+}
+
+/** The nodes to sample more finely because the tetrahedra missed them. */
+std::vector<std::size_t>
+FindNodesToSample(const IndicatorSet &       indicators,
+                  const std::vector<float> & sizes,
+                  const ParticleSet &        particles,
+                  const TetrahedralMesh &    labelled,
+                  Material                   exterior)
+{
+  const auto lost = FindLostNodes(indicators, particles.positions, labelled, exterior);
+  auto       nodes = lost.parts;
+  std::copy_if(lost.corners.begin(), lost.corners.end(), std::back_inserter(nodes), [&](std::size_t n) {
+    return sizes[n] < CoarseSize;
+  });
+  return nodes;
 }
 
 /** Drops the particles that no triangle uses and renumbers the triangles. Returns how many were dropped. */
@@ -137,19 +180,13 @@ FindInconsistentTriangles(const IndicatorSet &  indicators,
   return places;
 }
 
-/** Makes the materials around each point meet as on a cell, and tells of it. */
+/** Tells of how the materials around points meet. */
 void
-CheckLinks(const IndicatorSet & indicators,
-           Material             exterior,
-           TetrahedralMesh &    labelled,
-           ParticleSet &        particles,
-           LinkReport &         report)
+DescribeLinks(const LinkRepairReport & repair, const ParticleSet & particles, LinkReport & report)
 {
-  const auto repair = RepairLinks(indicators, particles.positions, exterior, labelled);
   report.edges = repair.found.edges.size();
   report.points = repair.found.points.size();
   report.relabelled = repair.relabelled;
-  report.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
   const auto add = [&](const Vector & x, PointId p) {
     const Cell & cell = particles.CellOf(p);
     report.left.push_back({ x, std::vector<int>(cell.begin(), cell.end()) });
@@ -163,6 +200,58 @@ CheckLinks(const IndicatorSet & indicators,
     add(0.5 * (particles.positions[edge[0]] + particles.positions[edge[1]]), edge[0]);
   }
 }
+
+/** The places where the topology of the tetrahedra is not that of the partition: samples. With `finely`, also what lies
+ * between samples, and some places where it is right. */
+std::vector<Index>
+FindDifferingSamples(const SampleLattice &    lattice,
+                     const SampledMaterials & partition,
+                     const ParticleSet &      particles,
+                     const TetrahedralMesh &  labelled,
+                     Material                 exterior,
+                     bool                     finely)
+{
+  const auto &       x = particles.positions;
+  std::vector<Index> samples;
+  for (const auto & difference :
+       FindTopologyDifferences(lattice, partition, lattice.SampleMesh(x, labelled, exterior, partition)))
+  {
+    for (const auto place : difference.samples)
+    {
+      samples.push_back(lattice.SampleAt(place));
+    }
+  }
+  if (finely)
+  {
+    for (const auto t : FindStuckTetrahedra(lattice.GetIndicators(), x, exterior, labelled))
+    {
+      const auto & c = labelled.tetrahedra[t];
+      samples.push_back(lattice.SampleNear(0.25 * (x[c[0]] + x[c[1]] + x[c[2]] + x[c[3]])));
+    }
+  }
+  return samples;
+}
+
+/** Adds particles around samples, at a distance that is smaller in later rounds. Returns how many. */
+std::size_t
+SampleFinely(const SampleLattice &      lattice,
+             const SampledMaterials &   partition,
+             const std::vector<Index> & samples,
+             double                     distance,
+             const SizingField &        sizing,
+             int                        exteriorIndex,
+             std::uint64_t              seed,
+             std::vector<float> &       sizes,
+             ParticleSet &              particles)
+{
+  std::vector<Vector> places;
+  for (const Index & sample : samples)
+  {
+    places.push_back(lattice.Position(sample));
+  }
+  RefineSizes(lattice.GetIndicators().GetGrid(), places, distance, sizes);
+  return SeedParticlesAround(lattice, partition, samples, sizing, exteriorIndex, seed, particles);
+}
 } // namespace
 
 InterfaceMesh
@@ -170,35 +259,63 @@ BuildSurface(const IndicatorSet & indicators,
              const SizingField &  sizing,
              int                  exteriorIndex,
              std::uint64_t        seed,
+             bool                 keepTopology,
              std::vector<float> & sizes,
              ParticleSet &        particles,
              Monitor &            monitor,
              MeshingReport &      report)
 {
-  const auto exterior = Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials());
-  TetrahedralMesh labelled;
-  InterfaceMesh   interfaces;
-  for (int round = 0; round <= SurfaceRounds; ++round)
+  const auto   exterior = Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials());
+  const Grid & grid = indicators.GetGrid();
+  const SampleLattice    lattice(indicators);
+  const SampledMaterials partition = lattice.SamplePartition(exterior);
+  TetrahedralMesh        labelled;
+  LinkRepairReport       repair;
+  const int              lastRound = SurfaceRounds + (keepTopology ? MostMendingRounds : MendingRounds);
+  for (int round = 0;; ++round)
   {
-    labelled.tetrahedra = TetrahedralizeWithin(indicators.GetGrid(), particles.positions);
+    labelled.tetrahedra = TetrahedralizeWithin(grid, particles.positions);
     labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
-    interfaces = ExtractInterfaces(labelled, exterior);
-    if (round < SurfaceRounds)
+    monitor.Report(double(round + 1) / (lastRound + 1));
+    const bool               isRelaxed = round < SurfaceRounds;
+    std::vector<std::size_t> lost;
+    const InterfaceMesh      interfaces = isRelaxed ? ExtractInterfaces(labelled, exterior) : InterfaceMesh();
+    if (isRelaxed)
     {
-      const auto lost = FindLostNodes(indicators, particles.positions, labelled, exterior);
-      auto       nodes = lost.parts;
-      std::copy_if(lost.corners.begin(), lost.corners.end(), std::back_inserter(nodes), [&](std::size_t n) {
-        return sizes[n] < CoarseSize;
-      });
+      lost = FindNodesToSample(indicators, sizes, particles, labelled, exterior);
+    }
+    std::vector<Index> differing;
+    if (round >= FirstComparison)
+    {
+      repair = RepairLinks(indicators, particles.positions, exterior, labelled);
+    }
+    if (round == lastRound)
+    {
+      break;
+    }
+    if (round >= FirstComparison)
+    {
+      const bool finely = keepTopology && round > SurfaceRounds;
+      differing = FindDifferingSamples(lattice, partition, particles, labelled, exterior, finely);
+    }
+    if (isRelaxed)
+    {
       RelaxOnSurface(indicators, sizing, interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
       MergeCloseParticles(indicators, sizing, particles);
-      RefineSizes(indicators.GetGrid(), nodes, sizes);
-      SeedParticlesAround(indicators, sizing, exteriorIndex, seed, nodes, particles);
+      RefineSizes(grid, lost, sizes);
+      SeedParticlesAround(indicators, sizing, exteriorIndex, seed, lost, particles);
     }
-    monitor.Report(double(round + 1) / (SurfaceRounds + 1));
+    const double distance = RecoverySize * std::pow(MendingShrinkage, std::max(0, round - SurfaceRounds));
+    const auto   added =
+      SampleFinely(lattice, partition, differing, distance, sizing, exteriorIndex, seed, sizes, particles);
+    if (!isRelaxed && added == 0 && (round > SurfaceRounds || !keepTopology))
+    {
+      break;
+    }
   }
-  CheckLinks(indicators, exterior, labelled, particles, report.links);
-  interfaces = ExtractInterfaces(labelled, exterior);
+  report.links.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
+  DescribeLinks(repair, particles, report.links);
+  InterfaceMesh interfaces = ExtractInterfaces(labelled, exterior);
   report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, interfaces, exterior);
   report.unusedParticles = DropUnusedParticles(particles, interfaces);
   for (std::size_t p = 0; p < particles.Size(); ++p)

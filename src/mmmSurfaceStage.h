@@ -26,12 +26,14 @@ namespace mmm
  *
  * Rounds of labelled Delaunay tetrahedralization and of relaxation of the particles on the triangles between the
  * materials; parts that a round missed are sampled more finely, for which `sizes`, the values of `sizing`, become
- * smaller there. Links are mended in the end, see RepairLinks(). */
+ * smaller there. Links are mended, see RepairLinks(). Where the topology is not that of the indicators, particles are
+ * added, too; with `keepTopology` in more rounds, and looking more closely. */
 InterfaceMesh
 BuildSurface(const IndicatorSet & indicators,
              const SizingField &  sizing,
              int                  exteriorIndex,
              std::uint64_t        seed,
+             bool                 keepTopology,
              std::vector<float> & sizes,
              ParticleSet &        particles,
              Monitor &            monitor,

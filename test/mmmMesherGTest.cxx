@@ -185,6 +185,27 @@ TEST(Mesher, OptimizationKeepsTheTopology)
   }
 }
 
+TEST(Mesher, KeepsTheTopologyOfTheIndicators)
+{
+  const Scene            scene = MakeNoise();
+  mmm::MeshingParameters parameters;
+  parameters.compareTopology = true;
+  const auto sumOfDifferences = [&] {
+    std::ptrdiff_t sum = 0;
+    for (const auto & label : Build(scene, 0, parameters).result.report.topology.labels)
+    {
+      for (int b = 0; b < 3; ++b)
+      {
+        sum += std::abs(label.mesh[b] - label.partition[b]);
+      }
+    }
+    return sum;
+  };
+  const auto usual = sumOfDifferences();
+  parameters.keepTopology = true;
+  EXPECT_LT(sumOfDifferences(), usual);
+}
+
 TEST(Mesher, ParticlesOfBentLayersComeToRest)
 {
   const auto   built = Build(MakeNoise(), 0);
