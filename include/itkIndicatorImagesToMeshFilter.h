@@ -130,7 +130,7 @@ public:
   itkBooleanMacro(SurfaceOnly);
 
   /** Sample the interfaces more finely until each label is connected as its indicator says, as far as possible.
-   * Otherwise that is done in two rounds only. Default: false. */
+   * Otherwise that is done once only. Default: false. */
   itkSetMacro(KeepTopology, bool);
   itkGetConstMacro(KeepTopology, bool);
   itkBooleanMacro(KeepTopology);

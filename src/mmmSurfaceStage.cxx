@@ -42,10 +42,12 @@ constexpr int SurfaceSweeps = 2;
  * particles are added. */
 constexpr int FirstComparison = SurfaceRounds - 1;
 /** Triangulations after the sweeps that add such particles, at most; where the topology is to be kept. */
-constexpr int MendingRounds = 1;
+constexpr int MendingRounds = 0;
 constexpr int MostMendingRounds = 6;
-/** In each of these rounds the distance is smaller by this factor. */
+/** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
+ * elements. */
 constexpr double MendingShrinkage = 0.75;
+constexpr double SmallestMendingSize = 0.25;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
  * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
 constexpr double RecoverySize = 0.5;
@@ -305,8 +307,9 @@ BuildSurface(const IndicatorSet & indicators,
       RefineSizes(grid, lost, sizes);
       SeedParticlesAround(indicators, sizing, exteriorIndex, seed, lost, particles);
     }
-    const double distance = RecoverySize * std::pow(MendingShrinkage, std::max(0, round - SurfaceRounds));
-    const auto   added =
+    const double distance =
+      std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, std::max(0, round - SurfaceRounds)));
+    const auto added =
       SampleFinely(lattice, partition, differing, distance, sizing, exteriorIndex, seed, sizes, particles);
     if (!isRelaxed && added == 0 && (round > SurfaceRounds || !keepTopology))
     {
