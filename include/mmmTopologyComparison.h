@@ -55,13 +55,14 @@ struct TopologyReport
 /** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
  *
  * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples. The places are
- * found on finer samples, see FindTopologyDifferences(): where the mesh is thinner than their distance, some may be
- * missing. What that leaves unexplained is told. */
+ * found on the same samples, see FindTopologyDifferences(): where the mesh is thinner than their distance, some may be
+ * missing. What that leaves unexplained is told. `samplesPerVoxel` is along each axis, a power of 2. */
 MultiMaterialMeshing_EXPORT TopologyReport
 CompareTopology(const IndicatorSet &        indicators,
                 const std::vector<Vector> & points,
                 const TetrahedralMesh &     mesh,
-                Material                    exterior);
+                Material                    exterior,
+                int                         samplesPerVoxel);
 } // namespace mmm
 
 #endif

@@ -39,6 +39,9 @@ const char * const RelaxationNames[] = { "",
                                          "relaxation of 2-cells",
                                          "relaxation of the interior" };
 
+/** Samples per voxel and axis at which topologies are compared. */
+constexpr int UsualComparison = 2;
+constexpr int CloseComparison = 4;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
 
@@ -260,7 +263,11 @@ BuildMesh(const IndicatorSet &      indicators,
   if (parameters.compareTopology)
   {
     monitor.BeginStage("topology");
-    report.topology = CompareTopology(indicators, result.points, result.tetrahedra, exterior);
+    report.topology = CompareTopology(indicators,
+                                      result.points,
+                                      result.tetrahedra,
+                                      exterior,
+                                      parameters.keepTopology ? CloseComparison : UsualComparison);
     monitor.Report(1.0);
   }
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);

@@ -24,9 +24,6 @@ namespace mmm
 {
 namespace
 {
-/** Samples per voxel and axis: with 2, more sheets and passages of the mesh lie between them. */
-constexpr int Refinement = 4;
-
 std::ptrdiff_t
 CharacteristicOf(const BettiNumbers & betti)
 {
@@ -55,9 +52,10 @@ TopologyReport
 CompareTopology(const IndicatorSet &        indicators,
                 const std::vector<Vector> & points,
                 const TetrahedralMesh &     mesh,
-                Material                    exterior)
+                Material                    exterior,
+                int                         samplesPerVoxel)
 {
-  const SampleLattice         lattice(indicators, Refinement);
+  const SampleLattice         lattice(indicators, samplesPerVoxel);
   const SampledMaterials      wanted = lattice.SamplePartition(exterior);
   const SampledMaterials      actual = lattice.SampleMesh(points, mesh, exterior, wanted);
   const auto                  partition = ComputePartitionTopology(lattice, wanted);

@@ -228,7 +228,7 @@ TEST(TopologyComparison, ExplainsAPartThatTheMeshLacks)
 {
   const mmmtest::Scene scene(mmmtest::MakeBallMaterials(Size, Vector::Constant(0.5 * (Size - 1)), 2.0));
   // without a tetrahedron, the ball is missing
-  const auto report = mmm::CompareTopology(*scene.indicators, {}, mmm::TetrahedralMesh(), 0);
+  const auto report = mmm::CompareTopology(*scene.indicators, {}, mmm::TetrahedralMesh(), 0, 4);
   ASSERT_EQ(report.labels.size(), 1u);
   EXPECT_EQ(report.labels[0].label, 1);
   EXPECT_EQ(report.labels[0].mesh, (mmm::BettiNumbers{ { 0, 0, 0 } }));
