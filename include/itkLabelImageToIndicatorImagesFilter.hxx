@@ -176,8 +176,17 @@ try
   }
   if (radius > 0.0)
   {
+    // what comes last has its way: volumes, unless it is contacts
+    if (!m_KeepContacts)
+    {
+      mmm::WidenPassages(m_Materials.grid, m_KeepContacts, blocks);
+    }
     mmm::CorrectVolumes(m_Materials, blocks);
-    mmm::WidenPassages(m_Materials.grid, m_KeepContacts, blocks);
+    monitor.Report((m_Labels.size() + 0.5) / (m_Labels.size() + 1));
+    if (m_KeepContacts)
+    {
+      mmm::WidenPassages(m_Materials.grid, m_KeepContacts, blocks);
+    }
   }
   for (std::size_t n = 0; n < m_Labels.size(); ++n)
   {

@@ -41,9 +41,8 @@ constexpr int SurfaceSweeps = 2;
 /** The first triangulation that is compared with the partition of the indicators. Where its topology is another one,
  * particles are added. */
 constexpr int FirstComparison = SurfaceRounds - 1;
-/** Triangulations after the sweeps that add such particles, at most; where the topology is to be kept. */
-constexpr int MendingRounds = 0;
-constexpr int MostMendingRounds = 6;
+/** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
+constexpr int MendingRounds = 6;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
@@ -273,7 +272,7 @@ BuildSurface(const IndicatorSet & indicators,
   const SampledMaterials partition = lattice.SamplePartition(exterior);
   TetrahedralMesh        labelled;
   LinkRepairReport       repair;
-  const int              lastRound = SurfaceRounds + (keepTopology ? MostMendingRounds : MendingRounds);
+  const int              lastRound = SurfaceRounds + (keepTopology ? MendingRounds : 0);
   for (int round = 0;; ++round)
   {
     labelled.tetrahedra = TetrahedralizeWithin(grid, particles.positions);
