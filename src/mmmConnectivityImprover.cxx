@@ -20,7 +20,7 @@
 #include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
 #include "mmmMeshOptimizerSmoothing.h"
-#include "mmmParallel.h"
+#include "mmmParallelCollect.h"
 #include "mmmSideChanger.h"
 #include "mmmTriangleLookup.h"
 
@@ -184,22 +184,13 @@ private:
   std::vector<Candidate>
   Collect(const TCollect & collect) const
   {
-    const std::size_t                   size = m_State.complex.Size();
-    std::vector<std::vector<Candidate>> lists((size + TetrahedraPerRange - 1) / TetrahedraPerRange);
-    ParallelFor(size, TetrahedraPerRange, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t)
-      {
+    auto all = ParallelCollect<Candidate>(
+      m_State.complex.Size(), TetrahedraPerRange, [&](std::size_t t, std::vector<Candidate> & list) {
         if (m_State.complex.IsAlive(Id(t)))
         {
-          collect(Id(t), lists[begin / TetrahedraPerRange]);
+          collect(Id(t), list);
         }
-      }
-    });
-    std::vector<Candidate> all;
-    for (const auto & list : lists)
-    {
-      all.insert(all.end(), list.begin(), list.end());
-    }
+      });
     std::sort(all.begin(), all.end());
     return all;
   }

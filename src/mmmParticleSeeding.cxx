@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "mmmCellNumbers.h"
 #include "mmmHash.h"
-#include "mmmParallel.h"
+#include "mmmParallelCollect.h"
 #include "mmmParticles.h"
 #include "mmmPointBins.h"
 
@@ -171,21 +171,8 @@ template <typename TSeedCube>
 std::vector<Seed>
 CollectSeeds(std::size_t count, const TSeedCube & seedCube)
 {
-  constexpr std::size_t          Grain = 256;
-  std::vector<std::vector<Seed>> parts((count + Grain - 1) / Grain);
-  ParallelFor(count, Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      seedCube(c, parts[begin / Grain]);
-    }
-  });
-  std::vector<Seed> seeds;
-  for (auto & part : parts)
-  {
-    seeds.insert(seeds.end(), part.begin(), part.end());
-    std::vector<Seed>().swap(part);
-  }
-  return seeds;
+  constexpr std::size_t Grain = 256;
+  return ParallelCollect<Seed>(count, Grain, seedCube);
 }
 
 /** The cubes that have one of some places as a corner, each once. */

@@ -18,7 +18,7 @@
 #include "mmmPassageWidening.h"
 
 #include "mmmIndicatorSmoothing.h"
-#include "mmmParallel.h"
+#include "mmmParallelCollect.h"
 #include "mmmSampleLattice.h"
 #include "mmmSampleNeighbours.h"
 
@@ -134,24 +134,16 @@ public:
   }
 
 private:
+  /** The materials of a sample's neighbours. */
+  using Surroundings = std::array<Material, SampleNeighbours::Count>;
+
   /** What visit(place, found) finds at some places, in their order. */
   template <typename T, typename TVisitor>
   static std::vector<T>
   Collect(const std::vector<std::size_t> & places, const TVisitor & visit)
   {
-    std::vector<std::vector<T>> parts((places.size() + PlacesPerRange - 1) / PlacesPerRange);
-    ParallelFor(places.size(), PlacesPerRange, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        visit(places[n], parts[begin / PlacesPerRange]);
-      }
-    });
-    std::vector<T> all;
-    for (const auto & part : parts)
-    {
-      all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
+    return ParallelCollect<T>(
+      places.size(), PlacesPerRange, [&](std::size_t n, std::vector<T> & found) { visit(places[n], found); });
   }
 
   void
@@ -235,8 +227,12 @@ private:
     constexpr double Halfway = 9.0 / 8.0;
     const Index      sample = m_Lattice.SampleAt(weak.place);
     const Material   own = m_Materials[weak.place];
-    if (m_IsClosed[weak.place] || (m_Neighbours.IsDisk(this->NeighboursOf(sample, own)) &&
-                                   m_Neighbours.IsDisk(this->NeighboursOf(sample, weak.second))))
+    if (m_IsClosed[weak.place])
+    {
+      return;
+    }
+    const Surroundings around = this->Around(sample);
+    if (m_Neighbours.IsDisk(SetOf(around, own)) && m_Neighbours.IsDisk(SetOf(around, weak.second)))
     {
       return;
     }
@@ -254,12 +250,8 @@ private:
   bool
   AddContacts(const Index & sample, Material own, std::vector<Raise> & raises) const
   {
-    std::array<Material, SampleNeighbours::Count> around;
-    for (int n = 0; n < SampleNeighbours::Count; ++n)
-    {
-      around[n] = this->AtNearest(SampleNeighbours::Of(sample, n));
-    }
-    const auto other = std::find_if(around.begin(), around.end(), [&](Material m) { return m != own; });
+    const Surroundings around = this->Around(sample);
+    const auto         other = std::find_if(around.begin(), around.end(), [&](Material m) { return m != own; });
     if (std::all_of(other, around.end(), [&](Material m) { return m == own || m == *other; }))
     {
       return false;
@@ -339,8 +331,19 @@ private:
     return m_Lattice.At(m_Materials, sample);
   }
 
+  Surroundings
+  Around(const Index & sample) const
+  {
+    Surroundings around;
+    for (int n = 0; n < SampleNeighbours::Count; ++n)
+    {
+      around[n] = this->AtNearest(SampleNeighbours::Of(sample, n));
+    }
+    return around;
+  }
+
   static unsigned
-  SetOf(const std::array<Material, SampleNeighbours::Count> & around, Material material)
+  SetOf(const Surroundings & around, Material material)
   {
     unsigned set = 0;
     for (int n = 0; n < SampleNeighbours::Count; ++n)
@@ -348,17 +351,6 @@ private:
       set |= unsigned(around[n] == material) << n;
     }
     return set;
-  }
-
-  unsigned
-  NeighboursOf(const Index & sample, Material material) const
-  {
-    std::array<Material, SampleNeighbours::Count> around;
-    for (int n = 0; n < SampleNeighbours::Count; ++n)
-    {
-      around[n] = this->AtNearest(SampleNeighbours::Of(sample, n));
-    }
-    return SetOf(around, material);
   }
 
   /** As far as each node keeps its material. */

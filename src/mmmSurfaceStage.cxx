@@ -279,13 +279,14 @@ BuildSurface(const IndicatorSet & indicators,
     labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
     monitor.Report(double(round + 1) / (lastRound + 1));
     const bool               isRelaxed = round < SurfaceRounds;
+    InterfaceMesh            interfaces;
     std::vector<std::size_t> lost;
-    const InterfaceMesh      interfaces = isRelaxed ? ExtractInterfaces(labelled, exterior) : InterfaceMesh();
+    std::vector<Index>       differing;
     if (isRelaxed)
     {
+      interfaces = ExtractInterfaces(labelled, exterior);
       lost = FindNodesToSample(indicators, sizes, particles, labelled, exterior);
     }
-    std::vector<Index> differing;
     if (round >= FirstComparison)
     {
       repair = RepairLinks(indicators, particles.positions, exterior, labelled);
@@ -310,7 +311,7 @@ BuildSurface(const IndicatorSet & indicators,
       std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, std::max(0, round - SurfaceRounds)));
     const auto added =
       SampleFinely(lattice, partition, differing, distance, sizing, exteriorIndex, seed, sizes, particles);
-    if (!isRelaxed && added == 0 && (round > SurfaceRounds || !keepTopology))
+    if (round > SurfaceRounds && added == 0)
     {
       break;
     }
