@@ -19,6 +19,7 @@
 
 #include "mmmCellUpdate.h"
 #include "mmmEnclosure.h"
+#include "mmmFlatTetrahedra.h"
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
@@ -290,6 +291,7 @@ BuildSurface(const IndicatorSet & indicators,
     if (round >= FirstComparison)
     {
       repair = RepairLinks(indicators, particles.positions, exterior, labelled);
+      TurnFlatTetrahedra(indicators, particles.positions, exterior, labelled);
     }
     if (round == lastRound)
     {

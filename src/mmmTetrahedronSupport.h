@@ -21,6 +21,8 @@
 #include "mmmIndicatorSet.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace mmm
 {
@@ -61,6 +63,15 @@ public:
       sum += std::min(Ceiling, std::max(-Ceiling, m_Indicators.Value(m, x)));
     }
     return sum / 5.0;
+  }
+
+  /** Whether the samples are all within a distance of the interface of two materials. */
+  bool
+  IsNear(Material a, Material b, double distance) const
+  {
+    return std::all_of(std::begin(m_Samples), std::end(m_Samples), [&](const Vector & x) {
+      return 0.5 * std::abs(m_Indicators.Value(a, x) - m_Indicators.Value(b, x)) < distance;
+    });
   }
 
 private:
