@@ -19,8 +19,8 @@
 
 #include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
-#include "mmmMeshOptimizerSmoothing.h"
 #include "mmmParallelCollect.h"
+#include "mmmShapeQuality.h"
 #include "mmmSideChanger.h"
 #include "mmmTriangleLookup.h"
 

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "mmmEdgeRemover.h"
 
-#include "mmmMeshOptimizerSmoothing.h"
+#include "mmmShapeQuality.h"
 
 #include <algorithm>
 

@@ -19,14 +19,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mmm
 {
-IndicatorConstraint::IndicatorConstraint(const IndicatorSet & indicators, Material exterior, std::vector<Cell> cells)
-  : InterfaceConstraint(std::move(cells))
+namespace
+{
+std::vector<Cell>
+CellsOf(const ParticleSet & particles)
+{
+  std::vector<Cell> cells(particles.Size());
+  for (std::size_t p = 0; p < cells.size(); ++p)
+  {
+    cells[p] = particles.CellOf(p);
+  }
+  return cells;
+}
+} // namespace
+
+IndicatorConstraint::IndicatorConstraint(const IndicatorSet & indicators,
+                                         Material             exterior,
+                                         const ParticleSet &  particles)
+  : InterfaceConstraint(CellsOf(particles))
   , m_Indicators(indicators)
   , m_Exterior(exterior)
+  , m_Places(particles.positions)
 {}
 
 Material
@@ -38,6 +54,11 @@ IndicatorConstraint::MaterialOf(Material m) const
 bool
 IndicatorConstraint::Project(PointId p, Vector & x) const
 {
+  if (m_Cells[p].Dimension() == 0)
+  {
+    x = m_Places[p];
+    return true;
+  }
   return m_Indicators.ProjectWhereMaximal(m_Cells[p], x, 1.0);
 }
 
@@ -62,7 +83,7 @@ IndicatorConstraint::AlongCell(PointId p, const Vector & x, const Vector & direc
     const Vector tangent = m_Indicators.Tangent(cell, x);
     return tangent * tangent.dot(direction);
   }
-  return direction;
+  return Vector::Zero();
 }
 
 double

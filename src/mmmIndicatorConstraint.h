@@ -20,14 +20,16 @@
 
 #include "mmmIndicatorSet.h"
 #include "mmmInterfaceConstraint.h"
+#include "mmmParticles.h"
 
 namespace mmm
 {
-/** \brief Points stay on the cells of indicator functions. Distances are in units of the smallest voxel spacing. */
+/** \brief Points stay on the cells of indicator functions, those of 0-cells where they were at first. Distances are in
+ * units of the smallest voxel spacing. */
 class IndicatorConstraint : public InterfaceConstraint
 {
 public:
-  IndicatorConstraint(const IndicatorSet & indicators, Material exterior, std::vector<Cell> cells);
+  IndicatorConstraint(const IndicatorSet & indicators, Material exterior, const ParticleSet & particles);
 
   Material
   MaterialOf(Material m) const override;
@@ -41,8 +43,9 @@ public:
   DistanceToInterface(Material a, Material b, const Vector & x, PointId corner) const override;
 
 private:
-  const IndicatorSet & m_Indicators;
-  const Material       m_Exterior;
+  const IndicatorSet &      m_Indicators;
+  const Material            m_Exterior;
+  const std::vector<Vector> m_Places;
 };
 } // namespace mmm
 

@@ -18,7 +18,8 @@
 #include "mmmMeshOptimizer.h"
 
 #include "mmmConnectivityImprover.h"
-#include "mmmMeshOptimizerSmoothing.h"
+#include "mmmPointSmoother.h"
+#include "mmmShapeQuality.h"
 
 namespace mmm
 {
@@ -45,6 +46,7 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.moves += smoother.SmoothTriangles(parameters.lowTriangle);
+    report.moves += smoother.SmoothJointly();
     report.moves += smoother.ReturnToCells();
     report.rounds = round + 1;
     monitor.Report(0.1 + 0.9 * (round + 1) / parameters.rounds);

@@ -246,12 +246,7 @@ BuildMesh(const IndicatorSet &      indicators,
   monitor.Report(1.0);
 
   monitor.BeginStage("optimization");
-  std::vector<Cell> cells(particles.Size());
-  for (std::size_t p = 0; p < cells.size(); ++p)
-  {
-    cells[p] = particles.CellOf(p);
-  }
-  const IndicatorConstraint    constraint(indicators, exterior, std::move(cells));
+  const IndicatorConstraint    constraint(indicators, exterior, particles);
   TetrahedralComplex           complex(result.tetrahedra, result.points.size());
   const OptimizationParameters optimization =
     parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;

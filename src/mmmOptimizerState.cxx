@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "mmmOptimizerState.h"
 
-#include "mmmMeshOptimizerSmoothing.h"
+#include "mmmShapeQuality.h"
 
 #include <algorithm>
 

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "mmmVolumeBalance.h"
 
-#include "mmmMeshOptimizerSmoothing.h"
+#include "mmmPointSmoother.h"
 #include "mmmParallel.h"
 
 #include <algorithm>

@@ -224,6 +224,35 @@ TEST(Mesher, NoTriangleOfNoiseIsFlat)
   EXPECT_GT(quality.interfaceRadiusRatio.firstPercentile, 0.6);
 }
 
+TEST(Mesher, JunctionPointsStayNearTheirJunction)
+{
+  const Scene  scene = MakeNoise();
+  const auto   built = Build(scene, 0);
+  const auto & particles = built.result.particles;
+  const double tolerance = mmm::OptimizationParameters().interfaceTolerance;
+  std::size_t  count = 0;
+  std::size_t  far = 0;
+  for (std::size_t p = 0; p < particles.Size(); ++p)
+  {
+    const mmm::Cell & cell = particles.CellOf(p);
+    // no place is known of those that were joined
+    if (cell.count != 4 ||
+        std::any_of(cell.begin(), cell.end(), [&](mmm::Material m) { return scene.indicators->IsPlane(m); }))
+    {
+      continue;
+    }
+    Vector junction = built.result.points[p];
+    if (scene.indicators->ProjectWhereMaximal(cell, junction, 1.0))
+    {
+      ++count;
+      far += (built.result.points[p] - junction).norm() > tolerance + 0.01;
+    }
+  }
+  EXPECT_GT(count, 50u);
+  // other materials may meet there than its cell says
+  EXPECT_LE(far, count / 20);
+}
+
 TEST(Mesher, LeavesEnclosedExteriorEmpty)
 {
   const Scene  scene(MakeMaterials({ { 27, 27, 27 } }, Vector::Ones(), 2, [](const Vector & x) {

@@ -15,10 +15,11 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "mmmMeshOptimizerSmoothing.h"
+#include "mmmPointSmoother.h"
 
 #include "mmmOptimizerState.h"
 #include "mmmParallel.h"
+#include "mmmShapeQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +42,10 @@ DerivativeOfWorth(double radiusRatio)
 {
   return 1.0 + 0.5 / ((radiusRatio + 0.05) * (radiusRatio + 0.05));
 }
-/** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees. */
+/** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees, or
+ * an interface triangle a radius ratio below this. */
 constexpr double AngleToLeaveCell = 20.0;
+constexpr double TriangleToLeaveCell = 0.4;
 /** Particles that are this near are on their cell, in units of the smallest voxel spacing. */
 constexpr double NegligibleDistance = 1e-3;
 /** Triangles keep this radius ratio when points return to their cells. */
@@ -61,188 +64,6 @@ SearchDirection(int number)
   return Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
 }
 } // namespace
-
-PointSmoother::PointSmoother(const InterfaceConstraint &    constraint,
-                             Material                       exterior,
-                             const OptimizationParameters & parameters,
-                             std::vector<Vector> &          points,
-                             const TetrahedralComplex &     complex)
-  : m_Constraint(constraint)
-  , m_Parameters(parameters)
-  , m_Exterior(exterior)
-  , m_Cells(constraint.Cells())
-  , m_Points(points)
-  , m_Complex(complex)
-  , m_Tetrahedra(complex.Tetrahedra())
-  , m_Materials(complex.Materials())
-  , m_Star(points.size(), m_Tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return m_Tetrahedra[t]; })
-{
-  this->ClassifyPoints();
-  this->ColourPoints();
-}
-
-void
-PointSmoother::ClassifyPoints()
-{
-  // the materials that really meet at each point, against those of its cell
-  std::vector<std::pair<PointId, std::array<PointId, 2>>> fans;
-  std::vector<char>                                       outside(m_Points.size(), 0);
-  for (std::uint32_t t = 0; t < m_Tetrahedra.size(); ++t)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      const auto other = m_Complex.Neighbour(t, f);
-      if (other == NoTetrahedron ? this->IsExterior(t) : m_Materials[other] <= m_Materials[t])
-      {
-        continue;
-      }
-      PointId corners[3];
-      for (int c = 0; c < 3; ++c)
-      {
-        corners[c] = m_Tetrahedra[t][TetrahedronFaces[f][c]];
-        outside[corners[c]] |= other == NoTetrahedron;
-      }
-      for (int c = 0; c < 3; ++c)
-      {
-        fans.push_back({ corners[c], { { corners[(c + 1) % 3], corners[(c + 2) % 3] } } });
-      }
-    }
-  }
-  m_FanStart.assign(m_Points.size() + 1, 0);
-  for (const auto & fan : fans)
-  {
-    ++m_FanStart[fan.first + 1];
-  }
-  for (std::size_t p = 0; p < m_Points.size(); ++p)
-  {
-    m_FanStart[p + 1] += m_FanStart[p];
-  }
-  m_Fan.resize(fans.size());
-  std::vector<std::uint32_t> next(m_FanStart.begin(), m_FanStart.end() - 1);
-  for (const auto & fan : fans)
-  {
-    m_Fan[next[fan.first]++] = fan.second;
-  }
-
-  m_Freedom.assign(m_Points.size(), Freedom::Free);
-  for (std::size_t p = 0; p < m_Points.size(); ++p)
-  {
-    if (m_FanStart[p] == m_FanStart[p + 1])
-    {
-      continue; // on no interface
-    }
-    m_Freedom[p] = Freedom::Fixed;
-    if (p >= m_Cells.size() || m_Cells[p].Dimension() == 0)
-    {
-      continue;
-    }
-    auto present = this->MaterialsAround(PointId(p));
-    if (outside[p] && std::find(present.begin(), present.end(), m_Exterior) == present.end())
-    {
-      present.push_back(m_Exterior);
-    }
-    std::vector<Material> own;
-    for (const Material m : m_Cells[p])
-    {
-      const Material mapped = m_Constraint.MaterialOf(m);
-      if (std::find(own.begin(), own.end(), mapped) == own.end())
-      {
-        own.push_back(mapped);
-      }
-    }
-    std::sort(present.begin(), present.end());
-    std::sort(own.begin(), own.end());
-    if (present == own)
-    {
-      m_Freedom[p] = Freedom::OnCell;
-    }
-    else if (!outside[p] && m_Constraint.MayLeaveCell(PointId(p)))
-    {
-      m_Freedom[p] = Freedom::NearInterfaces;
-    }
-  }
-}
-
-std::vector<Material>
-PointSmoother::MaterialsAround(PointId p) const
-{
-  std::vector<Material> materials;
-  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
-  {
-    if (std::find(materials.begin(), materials.end(), m_Materials[*s]) == materials.end())
-    {
-      materials.push_back(m_Materials[*s]);
-    }
-  }
-  return materials;
-}
-
-/** The largest distance of x from the interfaces of some materials. */
-double
-PointSmoother::DistanceFromInterfaces(const std::vector<Material> & materials, PointId p, const Vector & x) const
-{
-  double largest = 0.0;
-  for (std::size_t i = 0; i < materials.size(); ++i)
-  {
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      largest = std::max(largest, m_Constraint.DistanceToInterface(materials[i], materials[j], x, p));
-    }
-  }
-  return largest;
-}
-
-void
-PointSmoother::ColourPoints()
-{
-  std::vector<int>  colour(m_Points.size(), -1);
-  std::vector<char> taken;
-  for (PointId p = 0; p < m_Points.size(); ++p)
-  {
-    if (m_Freedom[p] == Freedom::Fixed || m_Star.Begin(p) == m_Star.End(p))
-    {
-      continue;
-    }
-    taken.assign(m_Colours.size() + 1, 0);
-    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
-    {
-      for (const auto corner : m_Tetrahedra[*s])
-      {
-        if (colour[corner] >= 0)
-        {
-          taken[colour[corner]] = 1;
-        }
-      }
-    }
-    colour[p] = int(std::find(taken.begin(), taken.end(), 0) - taken.begin());
-    if (std::size_t(colour[p]) == m_Colours.size())
-    {
-      m_Colours.emplace_back();
-    }
-    m_Colours[colour[p]].push_back(p);
-  }
-}
-
-std::size_t
-PointSmoother::MoveByColour(const std::function<bool(PointId)> & move)
-{
-  std::size_t total = 0;
-  for (const auto & group : m_Colours)
-  {
-    std::vector<std::size_t> moved((group.size() + Grain - 1) / Grain, 0);
-    ParallelFor(group.size(), Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        moved[begin / Grain] += move(group[n]);
-      }
-    });
-    for (const auto count : moved)
-    {
-      total += count;
-    }
-  }
-  return total;
-}
 
 std::size_t
 PointSmoother::SmoothAll()
@@ -291,74 +112,6 @@ std::size_t
 PointSmoother::ReturnToCells()
 {
   return this->MoveByColour([this](PointId p) { return this->MoveToCell(p); });
-}
-
-/** The smallest quality around p if it were at x; the search ends early at one that is not better than `enough`. */
-double
-PointSmoother::WorstAround(PointId p, const Vector & x, double enough) const
-{
-  double worst = 2.0;
-  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
-  {
-    const auto &   t = m_Tetrahedra[*s];
-    const Vector * corners[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
-    }
-    worst = std::min(worst, MaterialQuality(*corners[0], *corners[1], *corners[2], *corners[3], this->IsExterior(*s)));
-    if (worst <= enough)
-    {
-      return worst;
-    }
-  }
-  return worst;
-}
-
-/** Whether tetrahedra around p are good enough if it moves to x: those of larger angles than `angle`, in degrees, may
- * lose down to it, others have to be better than the worst one is now. */
-bool
-PointSmoother::StaysGood(PointId p, const Vector & x, double angle) const
-{
-  const double enough = QualityOfAngle(angle);
-  if (this->WorstAround(p, x, enough) > enough)
-  {
-    return true;
-  }
-  const double                                           worst = this->WorstAround(p, m_Points[p], -2.0);
-  return worst<enough && this->WorstAround(p, x, worst)> worst;
-}
-
-double
-PointSmoother::WorstTriangleAround(PointId p, const Vector & x) const
-{
-  double worst = 1.0;
-  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
-  {
-    worst = std::min(worst, TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]));
-  }
-  return worst;
-}
-
-bool
-PointSmoother::Admit(PointId p, Vector & x, double slack) const
-{
-  if (m_Freedom[p] != Freedom::OnCell)
-  {
-    return true;
-  }
-  Vector onCell = x;
-  if (!m_Constraint.Project(p, onCell))
-  {
-    return false;
-  }
-  if (!m_Constraint.MayLeaveCell(p))
-  {
-    slack = 0.0;
-  }
-  const double distance = (x - onCell).norm();
-  x = distance > slack ? Vector(onCell + slack / distance * (x - onCell)) : x;
-  return true;
 }
 
 /** Moves p to the target, or as near to it as its cell and the slack allow, if all around gets better than `worst`,
@@ -603,11 +356,33 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   {
     return false;
   }
+  const auto anywhere = [](const Vector & direction) { return direction; };
   // a point that had to leave its cell, or the interfaces, is not kept from moving by that
+  if (!isOnCell)
+  {
+    const auto   materials = this->MaterialsAround(p);
+    const double furthest =
+      std::max(m_Parameters.interfaceTolerance, this->DistanceFromInterfaces(materials, p, m_Points[p]));
+    return this->SearchForTriangles(
+      p, anywhere, [&](Vector & x) { return this->DistanceFromInterfaces(materials, p, x) <= furthest; }, worst);
+  }
   const double slack = (m_Points[p] - onCell).norm();
-  const auto   materials = isOnCell ? std::vector<Material>() : this->MaterialsAround(p);
-  const double furthest =
-    std::max(m_Parameters.interfaceTolerance, this->DistanceFromInterfaces(materials, p, m_Points[p]));
+  const auto   along = [&](const Vector & direction) { return m_Constraint.AlongCell(p, m_Points[p], direction); };
+  bool         moved = this->SearchForTriangles(p, along, [&](Vector & x) { return this->Admit(p, x, slack); }, worst);
+  if (worst < TriangleToLeaveCell && m_Constraint.MayLeaveCell(p))
+  {
+    const double more = std::max(slack, m_Parameters.interfaceTolerance);
+    moved |= this->SearchForTriangles(p, anywhere, [&](Vector & x) { return this->Admit(p, x, more); }, worst);
+  }
+  return moved;
+}
+
+/** Searches around p, in directions that `along` turns, for places that `admit` lets pass, or changes, where the worst
+ * triangle is better than `worst`, which is brought up to date. */
+template <typename TAlong, typename TAdmit>
+bool
+PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit & admit, double & worst)
+{
   double size = 0.0;
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
@@ -618,9 +393,8 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   {
     for (int d = 0; d < SearchDirections; ++d)
     {
-      const Vector direction = SearchDirection(d);
-      Vector       x = m_Points[p] + step * (isOnCell ? m_Constraint.AlongCell(p, m_Points[p], direction) : direction);
-      if (isOnCell ? !this->Admit(p, x, slack) : this->DistanceFromInterfaces(materials, p, x) > furthest)
+      Vector x = m_Points[p] + step * along(SearchDirection(d));
+      if (!admit(x))
       {
         continue;
       }
@@ -652,15 +426,4 @@ PointSmoother::MoveToCell(PointId p)
          this->MoveIfGood(p, m_Points[p] + 0.5 * (onCell - m_Points[p]), angle, triangle);
 }
 
-/** Moves p to x if tetrahedra stay good enough, and all triangles are at least as good as `triangle` then. */
-bool
-PointSmoother::MoveIfGood(PointId p, const Vector & x, double angle, double triangle)
-{
-  if (this->WorstTriangleAround(p, x) < triangle || !this->StaysGood(p, x, angle))
-  {
-    return false;
-  }
-  m_Points[p] = x;
-  return true;
-}
 } // namespace mmm
