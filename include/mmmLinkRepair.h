@@ -30,8 +30,6 @@ struct LinkDefects
   std::vector<std::array<PointId, 2>> edges;
   /** Around the point, a material is in several parts, or encircles others. */
   std::vector<PointId> points;
-  /** The point is on no interface. Only RepairLinks() looks for these. */
-  std::vector<PointId> hidden;
 };
 
 /** Checks the links of all points and edges of interfaces: the tetrahedra of each material at a point form one part,
@@ -50,8 +48,7 @@ struct LinkRepairReport
 };
 
 /** Gives tetrahedra at defects to another material around them, as long as that leaves fewer defects: of several ways
- * the one that disagrees least with the indicators. All points are samples of interfaces: one that is on none, because
- * all tetrahedra around it are of one material, is a defect too. No material is lost. */
+ * the one that disagrees least with the indicators. No material is lost. */
 MultiMaterialMeshing_EXPORT LinkRepairReport
 RepairLinks(const IndicatorSet &        indicators,
             const std::vector<Vector> & points,

@@ -36,6 +36,8 @@ struct OptimizationParameters
   double poorTriangle{ 0.87 };
   /** Points of triangles below this radius ratio move for the sake of the worst triangle around them alone. */
   double lowTriangle{ 0.77 };
+  /** Below this, they leave their cells for it, within the tolerance, one by one or together. */
+  double flatTriangle{ 0.4 };
   /** Where all tetrahedra around a point have larger dihedral angles than this, in degrees, the worst may lose a little
    * when the point moves; and down to the second one when an edge or a point changes for the sake of triangles, or when
    * a point returns to its cell. */

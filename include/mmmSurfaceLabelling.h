@@ -27,11 +27,11 @@ namespace mmm
 /** \brief Gives each tetrahedron of a Delaunay tetrahedralization of the particles its material.
  *
  * A tetrahedron lies in a material that all of its corners' cells have in common; among several, in the one whose
- * indicator is the largest over the tetrahedron. Where the cells have none in common the indicators decide alone. A flat
- * one whose corners are all of one interface goes to the side on which the centre of the sphere through them lies: so the
- * interface's triangles are those of the restricted Delaunay triangulation of its samples, whatever the noise of the
- * indicators along it.
- * Exterior and planes give `exterior`, which is the number of materials if no material is exterior. */
+ * indicator is the largest over the tetrahedron. Where the cells have none in common the indicators decide alone. A
+ * flat one whose corners are all of one interface goes to the side on which the centre of the sphere through them lies:
+ * so the interface's triangles are those of the restricted Delaunay triangulation of its samples, whatever the noise of
+ * the indicators along it. Exterior and planes give `exterior`, which is the number of materials if no material is
+ * exterior. */
 MultiMaterialMeshing_EXPORT std::vector<Material>
                             LabelTetrahedra(const IndicatorSet &             indicators,
                                             const ParticleSet &              particles,

@@ -51,7 +51,8 @@ public:
   bool
   ForTetrahedron(Id t, bool isPoor, ComplexChange & change)
   {
-    return m_EdgeRemover.FindAny(t, change) || (isPoor && this->FindCollapse(t, change));
+    return m_EdgeRemover.FindAny(t, change) ||
+           (isPoor && this->AnyEdge(t, [&](PointId a, PointId b) { return m_EdgeCollapser.Find(t, a, b, change); }));
   }
 
   bool
@@ -86,14 +87,14 @@ public:
   }
 
 private:
+  /** Calls find(a, b) for the edges of a tetrahedron, both ways, until that finds something. */
+  template <typename TFind>
   bool
-  FindCollapse(Id t, ComplexChange & change)
+  AnyEdge(Id t, const TFind & find) const
   {
     const Tetrahedron corners = m_State.complex.Corners(t);
     return std::any_of(std::begin(TetrahedronEdges), std::end(TetrahedronEdges), [&](const auto & edge) {
-      const PointId a = corners[edge[0]];
-      const PointId b = corners[edge[1]];
-      return m_EdgeCollapser.Find(t, a, b, change) || m_EdgeCollapser.Find(t, b, a, change);
+      return find(corners[edge[0]], corners[edge[1]]) || find(corners[edge[1]], corners[edge[0]]);
     });
   }
 
@@ -133,17 +134,17 @@ public:
   std::size_t
   ImproveTetrahedra(double quality, double poorQuality)
   {
+    const auto isWanted = [&](Id t) { return m_State.Shape(t) < (m_State.IsExterior(t) ? FlatExterior : quality); };
     const auto candidates = this->Collect([&](Id t, std::vector<Candidate> & list) {
-      const double q = m_State.Shape(t);
-      if (q < (m_State.IsExterior(t) ? FlatExterior : quality))
+      if (isWanted(t))
       {
-        list.push_back({ q, t, 0 });
+        list.push_back({ m_State.Shape(t), t, 0 });
       }
     });
     const auto isPoor = [&](const Candidate & c) { return m_State.Shape(c.tetrahedron) < poorQuality; };
     return this->ChangeAll(
       candidates,
-      [&](const Candidate & c) { return m_State.Shape(c.tetrahedron) < quality; },
+      [&](const Candidate & c) { return isWanted(c.tetrahedron); },
       // what is exterior is a gap this narrow that it is none
       [&](const Candidate & c) {
         return (m_State.IsExterior(c.tetrahedron) || isPoor(c)) && m_SideChanger.GiveToOtherSide(c.tetrahedron);

@@ -170,8 +170,7 @@ private:
     for (const PointId p : corners)
     {
       m_Inspector.Inspect(p);
-      count +=
-        std::size_t(m_Inspector.IsDefect() || m_Inspector.Materials().empty()) + m_Inspector.DefectEdges().size();
+      count += m_Inspector.CountDefects() + std::size_t(m_Inspector.IsHidden());
     }
     return count;
   }

@@ -27,13 +27,11 @@ namespace mmm
 {
 namespace
 {
-/** Triangles below this radius ratio are worth it. */
-constexpr double PoorTriangle = 0.4;
 /** Places that are tried, each for all corners. */
 constexpr int Trials = 400;
 /** What is this much better than poor is left alone. */
 constexpr double Enough = 1.1;
-/** Corners move by up to this at once, in units of the longest edge. */
+/** Corners move by up to this at once, in units of the longest edge at the first one. */
 constexpr double LongestMove = 0.1;
 /** Nothing is worse. */
 constexpr double Inverted = -1.0;
@@ -55,7 +53,7 @@ PointSmoother::WorthAround(const std::vector<PointId> & points, double poorQuali
   Worth worth{ Enough, Enough };
   for (const PointId p : points)
   {
-    worth.triangle = std::min(worth.triangle, this->WorstTriangleAround(p, m_Points[p]) / PoorTriangle);
+    worth.triangle = std::min(worth.triangle, this->WorstTriangleAround(p, m_Points[p]) / m_Parameters.flatTriangle);
     worth.tetrahedron = std::min(worth.tetrahedron, this->WorstAround(p, m_Points[p], Inverted) / poorQuality);
   }
   return worth;
@@ -149,7 +147,7 @@ PointSmoother::SmoothJointly()
     {
       const Triangle face = FaceOf(c, f);
       if (m_Complex.IsInterface(t, f) &&
-          TriangleRadiusRatio(m_Points[face[0]], m_Points[face[1]], m_Points[face[2]]) < PoorTriangle)
+          TriangleRadiusRatio(m_Points[face[0]], m_Points[face[1]], m_Points[face[2]]) < m_Parameters.flatTriangle)
       {
         moves += this->MoveTogether({ face.begin(), face.end() }, poorQuality);
       }

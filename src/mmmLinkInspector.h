@@ -55,6 +55,18 @@ public:
   {
     return m_DefectEdges;
   }
+  /** Whether the point is on no interface. */
+  bool
+  IsHidden() const
+  {
+    return m_Materials.empty();
+  }
+  /** The defects of the point and of the edges at it. */
+  std::size_t
+  CountDefects() const
+  {
+    return std::size_t(m_IsDefect) + m_DefectEdges.size();
+  }
   /** The materials at the point, or none if there is but one. */
   const std::vector<Material> &
   Materials() const

@@ -63,10 +63,6 @@ FindDefects(const TetrahedralMesh &      mesh,
       {
         defects.points.push_back(p);
       }
-      if (inspector.Materials().empty())
-      {
-        defects.hidden.push_back(p);
-      }
       for (const PointId q : inspector.DefectEdges())
       {
         defects.edges.push_back({ { std::min(p, q), std::max(p, q) } });
@@ -78,7 +74,6 @@ FindDefects(const TetrahedralMesh &      mesh,
   {
     defects.points.insert(defects.points.end(), part.points.begin(), part.points.end());
     defects.edges.insert(defects.edges.end(), part.edges.begin(), part.edges.end());
-    defects.hidden.insert(defects.hidden.end(), part.hidden.begin(), part.hidden.end());
   }
   MakeUnique(defects.edges);
   return defects;
@@ -97,7 +92,6 @@ std::vector<PointId>
 PointsOf(const LinkDefects & defects)
 {
   std::vector<PointId> points = defects.points;
-  points.insert(points.end(), defects.hidden.begin(), defects.hidden.end());
   for (const auto & edge : defects.edges)
   {
     points.insert(points.end(), edge.begin(), edge.end());
@@ -205,7 +199,7 @@ private:
   ListChanges(PointId p, bool withPairs, std::vector<Change> & changes)
   {
     m_Inspector.Inspect(p);
-    if (this->CountInspected() == 0)
+    if (m_Inspector.CountDefects() == 0)
     {
       return;
     }
@@ -379,16 +373,9 @@ private:
     for (const PointId p : points)
     {
       m_Inspector.Inspect(p);
-      count += this->CountInspected();
+      count += std::ptrdiff_t(m_Inspector.CountDefects());
     }
     return count;
-  }
-
-  std::ptrdiff_t
-  CountInspected() const
-  {
-    return std::ptrdiff_t(m_Inspector.IsDefect() || m_Inspector.Materials().empty()) +
-           std::ptrdiff_t(m_Inspector.DefectEdges().size());
   }
 
   void

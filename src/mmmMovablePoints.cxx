@@ -244,8 +244,8 @@ MovablePoints::StaysGood(PointId p, const Vector & x, double angle) const
   {
     return true;
   }
-  const double                                           worst = this->WorstAround(p, m_Points[p], -2.0);
-  return worst<enough && this->WorstAround(p, x, worst)> worst;
+  const double worst = this->WorstAround(p, m_Points[p], -2.0);
+  return (worst < enough) && (this->WorstAround(p, x, worst) > worst);
 }
 
 double

@@ -35,7 +35,7 @@ class MovablePoints
 {
 public:
   /** A point moves freely in space, within its cell, or not at all; one at which other materials meet than its cell
-   * says moves near their interfaces, and only for the sake of triangles. */
+   * says moves near their interfaces, and only where triangles or tetrahedra are very poor. */
   enum class Freedom : std::uint8_t
   {
     Fixed,

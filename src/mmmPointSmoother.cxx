@@ -42,10 +42,9 @@ DerivativeOfWorth(double radiusRatio)
 {
   return 1.0 + 0.5 / ((radiusRatio + 0.05) * (radiusRatio + 0.05));
 }
-/** A particle leaves its cell, within the tolerance, only where a tetrahedron has an angle below this, in degrees, or
- * an interface triangle a radius ratio below this. */
+/** For the sake of tetrahedra, a particle leaves its cell, within the tolerance, only where one has an angle below
+ * this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
-constexpr double TriangleToLeaveCell = 0.4;
 /** Particles that are this near are on their cell, in units of the smallest voxel spacing. */
 constexpr double NegligibleDistance = 1e-3;
 /** Triangles keep this radius ratio when points return to their cells. */
@@ -369,7 +368,7 @@ PointSmoother::MoveForTriangles(PointId p, double radiusRatio)
   const double slack = (m_Points[p] - onCell).norm();
   const auto   along = [&](const Vector & direction) { return m_Constraint.AlongCell(p, m_Points[p], direction); };
   bool         moved = this->SearchForTriangles(p, along, [&](Vector & x) { return this->Admit(p, x, slack); }, worst);
-  if (worst < TriangleToLeaveCell && m_Constraint.MayLeaveCell(p))
+  if (worst < m_Parameters.flatTriangle && m_Constraint.MayLeaveCell(p))
   {
     const double more = std::max(slack, m_Parameters.interfaceTolerance);
     moved |= this->SearchForTriangles(p, anywhere, [&](Vector & x) { return this->Admit(p, x, more); }, worst);

@@ -23,8 +23,7 @@
 
 namespace mmm
 {
-/** \brief Moves points, one at a time, so that the worst tetrahedron around each gets better, or the worst triangle of
- * an interface. */
+/** \brief Moves points so that the worst tetrahedron around each gets better, or the worst triangle of an interface. */
 class PointSmoother : private MovablePoints
 {
 public:

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "mmmSideChanger.h"
 
+#include "mmmShapeQuality.h"
+
 #include <algorithm>
 
 namespace mmm
@@ -161,7 +163,7 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
                                      TriangleRadiusRatio(points[a], points[b], points[d]));
   if (worstAfter < std::min(worstBefore, OptimizerState::TriangleFloor(m_State.Quality(t))))
   {
-    return false;
+    return own == m_State.exterior && this->CloseGap(t, a, b, other);
   }
   m_State.complex.SetMaterial(t, other);
   // within the mesh this is but a step towards taking it apart
@@ -175,6 +177,31 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
     }
     m_State.Make(change);
   }
+  ++m_State.report.relabelled;
+  return true;
+}
+
+/** A narrow gap with an edge ab across its mouth: filled, and the edge pulled together. */
+bool
+SideChanger::CloseGap(Id t, PointId a, PointId b, Material material)
+{
+  const double   least = QualityOfAngle(m_State.parameters.angleToKeepBesideTriangles);
+  const double   radiusRatio = OptimizerState::TriangleFloor(m_State.Quality(t));
+  const Material own = m_State.complex.MaterialOf(t);
+  const auto     find = [&](PointId u, PointId v, ComplexChange & change) {
+    return m_EdgeCollapser.FindForTriangles(t, u, v, radiusRatio, change) &&
+           std::all_of(change.fresh.begin(), change.fresh.end(), [&](const OptimizerState::Element & element) {
+             return m_State.Quality(element.corners, element.material) > least;
+           });
+  };
+  m_State.complex.SetMaterial(t, material);
+  ComplexChange change;
+  if (!find(a, b, change) && !find(b, a, change))
+  {
+    m_State.complex.SetMaterial(t, own);
+    return false;
+  }
+  m_State.Make(change);
   ++m_State.report.relabelled;
   return true;
 }

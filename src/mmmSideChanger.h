@@ -18,6 +18,7 @@
 #ifndef mmmSideChanger_h
 #define mmmSideChanger_h
 
+#include "mmmEdgeCollapser.h"
 #include "mmmEdgeRemover.h"
 
 namespace mmm
@@ -26,13 +27,15 @@ namespace mmm
  *
  * With two faces on the interface, these go over to the two others, as if an edge were flipped. With three, the point
  * that they share leaves the interface; with one, the opposite point joins it. The shape of the tetrahedron stays:
- * other operations can take it apart then, or it is a part of the exterior, where shape does not matter. */
+ * other operations can take it apart then, or it is a part of the exterior, where shape does not matter. A narrow gap,
+ * an exterior tetrahedron between two faces that nearly touch, is filled and its mouth pulled together. */
 class SideChanger
 {
 public:
   explicit SideChanger(OptimizerState & state)
     : m_State(state)
     , m_EdgeRemover(state)
+    , m_EdgeCollapser(state)
   {}
 
   bool
@@ -55,10 +58,13 @@ private:
   bool
   ChangeThreeFaces(OptimizerState::Id t, const Faces & faces);
   bool
+  CloseGap(OptimizerState::Id t, PointId a, PointId b, Material material);
+  bool
   AllAround(OptimizerState::Id t, PointId a, PointId b, Material first, Material second);
 
   OptimizerState &                m_State;
   EdgeRemover                     m_EdgeRemover;
+  EdgeCollapser                   m_EdgeCollapser;
   TetrahedralComplex::Ring        m_Ring;
   std::vector<OptimizerState::Id> m_Star;
 };

@@ -112,7 +112,7 @@ private:
     for (const PointId p : m_Mesh.tetrahedra[t])
     {
       m_Inspector.Inspect(p);
-      count += std::size_t(m_Inspector.IsDefect()) + m_Inspector.DefectEdges().size();
+      count += m_Inspector.CountDefects();
     }
     return count;
   }

@@ -318,6 +318,7 @@ BuildSurface(const IndicatorSet & indicators,
       break;
     }
   }
+  repair.left = FindLinkDefects(labelled, particles.Size(), exterior);
   report.links.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
   DescribeLinks(repair, particles, report.links);
   InterfaceMesh interfaces = ExtractInterfaces(labelled, exterior);

@@ -249,7 +249,7 @@ TEST(OptimizeTetrahedralMeshFilter, KeepsPlanesCreasesAndCorners)
   EXPECT_EQ(corners, 8u);
 }
 
-TEST(OptimizeTetrahedralMeshFilter, NeverLowersTheWorstAngle)
+TEST(OptimizeTetrahedralMeshFilter, NeverLowersTheWorstQuality)
 {
   const auto source = itk::LabelImageToTetrahedralMeshFilter<LabelImage>::New();
   source->SetInput(mmmtest::MakeHalves<LabelImage>(22, 8.0));

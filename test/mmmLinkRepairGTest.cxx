@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "mmmLinkRepair.h"
 #include "mmmTestScenes.h"
-#include "mmmTetrahedronQuality.h"
 
 #include "gtest/gtest.h"
 
@@ -136,29 +135,4 @@ TEST(LinkRepair, LosesNoMaterial)
   mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh);
   const auto & materials = octahedron.mesh.materials;
   EXPECT_EQ(std::count(materials.begin(), materials.end(), 2), 1);
-}
-
-TEST(LinkRepair, BringsHiddenPointsToTheInterface)
-{
-  // point 3 lies on the interface, just below the face of the tetrahedron above
-  const mmmtest::Scene           scene(mmmtest::MakeMaterials(
-    { { 16, 16, 16 } }, mmm::Vector::Ones(), 2, [](const mmm::Vector & x) { return x[2] > 7.5; }));
-  const std::vector<mmm::Vector> points{ { 7, 7, 7.5 },      { 9, 7, 7.5 },   { 7.5, 9, 7.5 },
-                                         { 7.7, 7.7, 7.45 }, { 7.7, 7.7, 5 }, { 7.7, 7.7, 10 } };
-  mmm::TetrahedralMesh           mesh;
-  mesh.tetrahedra = {
-    { { 1, 2, 0, 3 } }, { { 1, 0, 3, 4 } }, { { 2, 1, 3, 4 } }, { { 0, 2, 3, 4 } }, { { 0, 1, 2, 5 } }
-  };
-  mesh.materials = { 0, 0, 0, 0, 1 };
-  for (auto & t : mesh.tetrahedra)
-  {
-    if (mmm::TetrahedronVolume(points[t[0]], points[t[1]], points[t[2]], points[t[3]]) < 0.0)
-    {
-      std::swap(t[0], t[1]);
-    }
-  }
-  const auto report = mmm::RepairLinks(*scene.indicators, points, Outside, mesh);
-  EXPECT_EQ(report.found.hidden, std::vector<mmm::PointId>{ 3 });
-  EXPECT_TRUE(report.left.hidden.empty());
-  EXPECT_EQ(mesh.materials, (std::vector<mmm::Material>{ 1, 0, 0, 0, 1 }));
 }
