@@ -111,6 +111,33 @@ TEST(Sampling, OfAMeshIsNearWhatWasAskedFor)
   }
 }
 
+TEST(SurfaceAlone, HasNoHolesWhereItIsNearlyFlat)
+{
+  const Scene            scene(MakeMaterials({ { 72, 72, 24 } }, Vector::Ones(), 2, [](const Vector & x) {
+    return x[2] < 12.0 + 1.7 * std::sin(x[0] / 6.0) + 1.2 * std::cos(x[1] / 8.0 + x[0] / 15.0);
+  }));
+  mmm::Monitor           monitor;
+  mmm::MeshingParameters parameters;
+  parameters.exterior = 0;
+  parameters.surfaceOnly = true;
+  const auto             sizes = mmm::ComputeSizing(*scene.indicators, 0, {}, {}, monitor);
+  const mmm::SizingField sizing(scene.image.grid, sizes.data());
+  mmm::MeshingResult     result;
+  mmm::BuildMesh(*scene.indicators, sizing, parameters, monitor, result);
+  double longest = 0.0;
+  for (const auto & t : result.interfaces.triangles)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const Vector & a = result.points[t[c]];
+      const Vector & b = result.points[t[(c + 1) % 3]];
+      longest = std::max(longest, (a - b).norm() / sizing(0.5 * (a + b)));
+    }
+  }
+  // 1.84; where the indicators decide on flat tetrahedra it is 2.40
+  EXPECT_LT(longest, 2.2);
+}
+
 TEST(SurfaceAlone, IsMadeOfGoodTriangles)
 {
   const auto result = MeshHalves(true);

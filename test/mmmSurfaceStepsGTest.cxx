@@ -150,6 +150,27 @@ TEST(Cells, JoinUpToTheirCapacity)
   EXPECT_EQ(cell.count, 8);
 }
 
+TEST(LabelTetrahedra, GivesFlatOnesToTheSideOfTheirCircumcentre)
+{
+  // the edges of a flat tetrahedron that lie across each other have lengths 3 and 1; the shorter is higher or lower
+  const Scene scene(
+    MakeMaterials({ { 16, 16, 16 } }, Vector::Ones(), 2, [](const Vector & x) { return x[2] > 7.5 ? 1 : 0; }));
+  for (const bool isHigher : { false, true })
+  {
+    // the indicators are for the other side, but not by much
+    const double     height = isHigher ? 7.6 : 7.4;
+    const double     rise = isHigher ? 0.02 : -0.02;
+    mmm::ParticleSet particles;
+    particles.cellTable = { Cell{ 0, 1 } };
+    particles.positions = {
+      { 6.5, 8, height }, { 9.5, 8, height }, { 8, 7.5, height + rise }, { 8, 8.5, height + rise }
+    };
+    particles.cells = { 0, 0, 0, 0 };
+    const std::vector<mmm::Tetrahedron> tetrahedra{ { { 0, 1, 2, 3 } } };
+    EXPECT_EQ(mmm::LabelTetrahedra(*scene.indicators, particles, tetrahedra, 9)[0], isHigher ? 0 : 1);
+  }
+}
+
 TEST(LabelTetrahedra, CopesWithJunctionsOfAsManyMaterialsAsACellHolds)
 {
   const Scene      scene(MakeMaterials({ { 8, 8, 8 } }, Vector::Ones(), 8, [](const Vector & x) {
