@@ -28,8 +28,8 @@ namespace mmm
  *
  * All four corners of such a tetrahedron are samples of the interface, which runs on either side of it alike: it is
  * chance which two of its faces, or one or three, become triangles of the interface. Here those of the better radius
- * ratio do, worst first, as long as links have no more defects than before, all points, which are samples of interfaces,
- * stay on one, and the indicators do not mind by more than a quarter of a voxel. Returns how many tetrahedra changed. */
+ * ratio do, worst first, as long as links have no more defects than before, all points stay on interfaces, and the
+ * indicators do not mind by more than a quarter of a voxel. Returns how many tetrahedra changed. */
 MultiMaterialMeshing_EXPORT std::size_t
                             TurnFlatTetrahedra(const IndicatorSet &        indicators,
                                                const std::vector<Vector> & points,
