@@ -94,6 +94,12 @@ public:
     const auto place = this->PlaceOf(sample);
     return place == NotKept ? m_Indicators.MaterialAtNode(this->VoxelOf(sample)) : materials[place];
   }
+  /** The node of a sample's voxel. */
+  std::size_t
+  VoxelOf(const Index & sample) const
+  {
+    return m_Indicators.GetGrid().Offset(sample[0] >> m_Shift, sample[1] >> m_Shift, sample[2] >> m_Shift);
+  }
   /** Whether the nodes around a sample are of one material, and so the sample as well. */
   bool
   IsDecidedByNodes(const Index & sample) const;
@@ -113,11 +119,6 @@ private:
   /** Some of the last samples are. */
   bool
   IsBeyondBox(const Index & sample) const;
-  std::size_t
-  VoxelOf(const Index & sample) const
-  {
-    return m_Indicators.GetGrid().Offset(sample[0] >> m_Shift, sample[1] >> m_Shift, sample[2] >> m_Shift);
-  }
   /** Whether a voxel is marked that a tetrahedron, given in indices of samples, comes near. */
   bool
   HasMarked(const std::vector<char> & marks, const std::array<Vector, 4> & corners, double reach) const;

@@ -152,8 +152,7 @@ private:
     const Index sample = m_Lattice.SampleAt(place);
     if (m_Lattice.IsDecidedByNodes(sample))
     {
-      m_Materials[place] = m_Indicators.MaterialAtNode(
-        m_Grid.Offset(sample[0] / Refinement, sample[1] / Refinement, sample[2] / Refinement));
+      m_Materials[place] = m_Indicators.MaterialAtNode(m_Lattice.VoxelOf(sample));
       return;
     }
     const Vector x = m_Lattice.Position(sample);
