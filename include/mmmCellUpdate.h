@@ -20,7 +20,7 @@
 
 #include "mmmIndicatorSet.h"
 #include "mmmParticles.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronAdjacency.h"
 
 namespace mmm
 {
@@ -28,7 +28,11 @@ namespace mmm
  * lies nearby. Particles do not move. What lies beyond the mesh has the material `outside`. Returns how many changed.
  */
 MultiMaterialMeshing_EXPORT std::size_t
-UpdateCells(const IndicatorSet & indicators, const TetrahedralMesh & mesh, Material outside, ParticleSet & particles);
+                            UpdateCells(const IndicatorSet &         indicators,
+                                        const TetrahedralMesh &      mesh,
+                                        const TetrahedronAdjacency & adjacency,
+                                        Material                     outside,
+                                        ParticleSet &                particles);
 } // namespace mmm
 
 #endif

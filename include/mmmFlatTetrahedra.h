@@ -19,7 +19,7 @@
 #define mmmFlatTetrahedra_h
 
 #include "mmmIndicatorSet.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronAdjacency.h"
 
 namespace mmm
 {
@@ -31,10 +31,11 @@ namespace mmm
  * ratio do, worst first, as long as links have no more defects than before, all points stay on interfaces, and the
  * indicators do not mind by more than a quarter of a voxel. Returns how many tetrahedra changed. */
 MultiMaterialMeshing_EXPORT std::size_t
-                            TurnFlatTetrahedra(const IndicatorSet &        indicators,
-                                               const std::vector<Vector> & points,
-                                               Material                    outside,
-                                               TetrahedralMesh &           mesh);
+                            TurnFlatTetrahedra(const IndicatorSet &         indicators,
+                                               const std::vector<Vector> &  points,
+                                               const TetrahedronAdjacency & adjacency,
+                                               Material                     outside,
+                                               TetrahedralMesh &            mesh);
 } // namespace mmm
 
 #endif

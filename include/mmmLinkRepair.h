@@ -19,7 +19,7 @@
 #define mmmLinkRepair_h
 
 #include "mmmIndicatorSet.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronAdjacency.h"
 
 namespace mmm
 {
@@ -35,9 +35,10 @@ struct LinkDefects
 /** Checks the links of all points and edges of interfaces: the tetrahedra of each material at a point form one part,
  * which is a disk of the sphere around it, and those at an edge one sector. On 2-, 1- and 0-cells that means two disks,
  * three half-disks, and four triangles. What lies beyond the mesh has the material `outside`. Both lists are ascending.
+ * The adjacency is that of the mesh, here and below.
  */
 MultiMaterialMeshing_EXPORT LinkDefects
-FindLinkDefects(const TetrahedralMesh & mesh, std::size_t numberOfPoints, Material outside);
+FindLinkDefects(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside);
 
 struct LinkRepairReport
 {
@@ -50,10 +51,11 @@ struct LinkRepairReport
 /** Gives tetrahedra at defects to another material around them, as long as that leaves fewer defects: of several ways
  * the one that disagrees least with the indicators. No material is lost. */
 MultiMaterialMeshing_EXPORT LinkRepairReport
-RepairLinks(const IndicatorSet &        indicators,
-            const std::vector<Vector> & points,
-            Material                    outside,
-            TetrahedralMesh &           mesh);
+RepairLinks(const IndicatorSet &         indicators,
+            const std::vector<Vector> &  points,
+            const TetrahedronAdjacency & adjacency,
+            Material                     outside,
+            TetrahedralMesh &            mesh);
 } // namespace mmm
 
 #endif

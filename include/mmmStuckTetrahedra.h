@@ -20,7 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmIndicatorSet.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronAdjacency.h"
 
 namespace mmm
 {
@@ -30,10 +30,11 @@ namespace mmm
  * their corners stay one part each, see FindLinkDefects(). Returns those that cannot, ascending: the thin sheets and
  * passages of the mesh that the indicators do not have. `exterior` is what is outside of the box. */
 MultiMaterialMeshing_EXPORT std::vector<std::uint32_t>
-                            FindStuckTetrahedra(const IndicatorSet &        indicators,
-                                                const std::vector<Vector> & points,
-                                                Material                    exterior,
-                                                TetrahedralMesh             mesh);
+                            FindStuckTetrahedra(const IndicatorSet &         indicators,
+                                                const std::vector<Vector> &  points,
+                                                const TetrahedronAdjacency & adjacency,
+                                                Material                     exterior,
+                                                TetrahedralMesh              mesh);
 } // namespace mmm
 
 #endif

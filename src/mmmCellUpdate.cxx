@@ -20,7 +20,6 @@
 #include "mmmCellNumbers.h"
 #include "mmmLinkInspector.h"
 #include "mmmParallel.h"
-#include "mmmTetrahedronNeighbours.h"
 
 #include <algorithm>
 
@@ -52,14 +51,15 @@ CellOfMaterials(const IndicatorSet & indicators, const std::vector<Material> & m
 } // namespace
 
 std::size_t
-UpdateCells(const IndicatorSet & indicators, const TetrahedralMesh & mesh, Material outside, ParticleSet & particles)
+UpdateCells(const IndicatorSet &         indicators,
+            const TetrahedralMesh &      mesh,
+            const TetrahedronAdjacency & adjacency,
+            Material                     outside,
+            ParticleSet &                particles)
 {
-  const auto      neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
-  const Incidence stars(
-    particles.Size(), mesh.tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; });
   std::vector<Cell> cells(particles.Size());
   ParallelFor(cells.size(), ParticlesPerRange, [&](std::size_t begin, std::size_t end) {
-    LinkInspector inspector(mesh, neighbours, stars, outside);
+    LinkInspector inspector(mesh, adjacency, outside);
     for (std::size_t p = begin; p < end; ++p)
     {
       inspector.Inspect(PointId(p));

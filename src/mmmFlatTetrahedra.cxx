@@ -19,7 +19,6 @@
 
 #include "mmmLinkInspector.h"
 #include "mmmParallelCollect.h"
-#include "mmmTetrahedronNeighbours.h"
 #include "mmmTetrahedronQuality.h"
 #include "mmmTetrahedronSupport.h"
 #include "mmmTriangleLookup.h"
@@ -43,18 +42,16 @@ constexpr double Tolerance = 2.0 * 0.25;
 class FlatTetrahedraTurner
 {
 public:
-  FlatTetrahedraTurner(const IndicatorSet &        indicators,
-                       const std::vector<Vector> & points,
-                       Material                    outside,
-                       TetrahedralMesh &           mesh)
+  FlatTetrahedraTurner(const IndicatorSet &         indicators,
+                       const std::vector<Vector> &  points,
+                       const TetrahedronAdjacency & adjacency,
+                       Material                     outside,
+                       TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
     , m_Points(points)
     , m_Mesh(mesh)
-    , m_Neighbours(ComputeTetrahedronNeighbours(mesh.tetrahedra))
-    , m_Stars(points.size(),
-              mesh.tetrahedra.size(),
-              [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; })
-    , m_Inspector(mesh, m_Neighbours, m_Stars, outside)
+    , m_Neighbours(adjacency.neighbours)
+    , m_Inspector(mesh, adjacency, outside)
   {}
 
   std::size_t
@@ -175,21 +172,21 @@ private:
     return count;
   }
 
-  const IndicatorSet &                            m_Indicators;
-  const std::vector<Vector> &                     m_Points;
-  TetrahedralMesh &                               m_Mesh;
-  const std::vector<std::array<std::uint32_t, 4>> m_Neighbours;
-  const Incidence                                 m_Stars;
-  LinkInspector                                   m_Inspector;
+  const IndicatorSet &                              m_Indicators;
+  const std::vector<Vector> &                       m_Points;
+  TetrahedralMesh &                                 m_Mesh;
+  const std::vector<std::array<std::uint32_t, 4>> & m_Neighbours;
+  LinkInspector                                     m_Inspector;
 };
 } // namespace
 
 std::size_t
-TurnFlatTetrahedra(const IndicatorSet &        indicators,
-                   const std::vector<Vector> & points,
-                   Material                    outside,
-                   TetrahedralMesh &           mesh)
+TurnFlatTetrahedra(const IndicatorSet &         indicators,
+                   const std::vector<Vector> &  points,
+                   const TetrahedronAdjacency & adjacency,
+                   Material                     outside,
+                   TetrahedralMesh &            mesh)
 {
-  return FlatTetrahedraTurner(indicators, points, outside, mesh).Turn();
+  return FlatTetrahedraTurner(indicators, points, adjacency, outside, mesh).Turn();
 }
 } // namespace mmm

@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "mmmLinkInspector.h"
 
-#include "mmmTetrahedronNeighbours.h"
 #include "mmmTriangleLookup.h"
 
 #include <algorithm>
@@ -25,13 +24,9 @@
 
 namespace mmm
 {
-LinkInspector::LinkInspector(const TetrahedralMesh &                           mesh,
-                             const std::vector<std::array<std::uint32_t, 4>> & neighbours,
-                             const Incidence &                                 stars,
-                             Material                                          outside)
+LinkInspector::LinkInspector(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside)
   : m_Mesh(mesh)
-  , m_Neighbours(neighbours)
-  , m_Stars(stars)
+  , m_Adjacency(adjacency)
   , m_Outside(outside)
 {}
 
@@ -66,8 +61,8 @@ LinkInspector::Inspect(PointId p)
 void
 LinkInspector::FindPartsAndSpokes(PointId p)
 {
-  const auto * const begin = m_Stars.Begin(p);
-  const auto * const end = m_Stars.End(p);
+  const auto * const begin = m_Adjacency.stars.Begin(p);
+  const auto * const end = m_Adjacency.stars.End(p);
   // the last part is what lies beyond the mesh
   const int beyond = int(end - begin);
   bool      isAtHull = false;
@@ -79,7 +74,7 @@ LinkInspector::FindPartsAndSpokes(PointId p)
   {
     for (int f = 0; f < 4; ++f)
     {
-      const auto other = m_Neighbours[*t][f];
+      const auto other = m_Adjacency.neighbours[*t][f];
       // each face at p once
       if (m_Mesh.tetrahedra[*t][f] == p || (other != NoTetrahedron && other < *t))
       {

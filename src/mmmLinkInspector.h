@@ -18,8 +18,7 @@
 #ifndef mmmLinkInspector_h
 #define mmmLinkInspector_h
 
-#include "mmmIncidence.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronAdjacency.h"
 
 namespace mmm
 {
@@ -35,10 +34,7 @@ class LinkInspector
 {
 public:
   /** What lies beyond the mesh has the material `outside`. Materials may change between calls. */
-  LinkInspector(const TetrahedralMesh &                           mesh,
-                const std::vector<std::array<std::uint32_t, 4>> & neighbours,
-                const Incidence &                                 stars,
-                Material                                          outside);
+  LinkInspector(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside);
 
   void
   Inspect(PointId p);
@@ -67,6 +63,18 @@ public:
   {
     return std::size_t(m_IsDefect) + m_DefectEdges.size();
   }
+  /** The defects at all corners of a tetrahedron; an edge between two of them counts twice. */
+  std::size_t
+  CountDefectsAt(const Tetrahedron & corners)
+  {
+    std::size_t count = 0;
+    for (const PointId p : corners)
+    {
+      this->Inspect(p);
+      count += this->CountDefects();
+    }
+    return count;
+  }
   /** The materials at the point, or none if there is but one. */
   const std::vector<Material> &
   Materials() const
@@ -90,16 +98,15 @@ private:
   void
   ListMaterials(const LinkSpoke * begin, const LinkSpoke * end);
 
-  const TetrahedralMesh &                           m_Mesh;
-  const std::vector<std::array<std::uint32_t, 4>> & m_Neighbours;
-  const Incidence &                                 m_Stars;
-  const Material                                    m_Outside;
-  std::vector<int>                                  m_Parents;
-  std::size_t                                       m_NumberOfParts{ 0 };
-  std::vector<LinkSpoke>                            m_Spokes;
-  std::vector<Material>                             m_Materials;
-  std::vector<PointId>                              m_DefectEdges;
-  bool                                              m_IsDefect{ false };
+  const TetrahedralMesh &      m_Mesh;
+  const TetrahedronAdjacency & m_Adjacency;
+  const Material               m_Outside;
+  std::vector<int>             m_Parents;
+  std::size_t                  m_NumberOfParts{ 0 };
+  std::vector<LinkSpoke>       m_Spokes;
+  std::vector<Material>        m_Materials;
+  std::vector<PointId>         m_DefectEdges;
+  bool                         m_IsDefect{ false };
 };
 } // namespace mmm
 

@@ -19,7 +19,6 @@
 
 #include "mmmLinkInspector.h"
 #include "mmmParallel.h"
-#include "mmmTetrahedronNeighbours.h"
 #include "mmmTetrahedronSupport.h"
 
 #include <algorithm>
@@ -33,8 +32,6 @@ constexpr std::size_t PointsPerRange = 4096;
 /** Passes over what is left; most is done in the first. */
 constexpr int Passes = 5;
 
-using Neighbours = std::vector<std::array<std::uint32_t, 4>>;
-
 template <typename T>
 void
 MakeUnique(std::vector<T> & items)
@@ -46,14 +43,13 @@ MakeUnique(std::vector<T> & items)
 /** Inspects some points, and the edges at them. */
 LinkDefects
 FindDefects(const TetrahedralMesh &      mesh,
-            const Neighbours &           neighbours,
-            const Incidence &            stars,
+            const TetrahedronAdjacency & adjacency,
             Material                     outside,
             const std::vector<PointId> & points)
 {
   std::vector<LinkDefects> parts((points.size() + PointsPerRange - 1) / PointsPerRange);
   ParallelFor(points.size(), PointsPerRange, [&](std::size_t begin, std::size_t end) {
-    LinkInspector inspector(mesh, neighbours, stars, outside);
+    LinkInspector inspector(mesh, adjacency, outside);
     LinkDefects & defects = parts[begin / PointsPerRange];
     for (std::size_t n = begin; n < end; ++n)
     {
@@ -103,19 +99,17 @@ PointsOf(const LinkDefects & defects)
 class LinkRepairer
 {
 public:
-  LinkRepairer(const IndicatorSet &        indicators,
-               const std::vector<Vector> & points,
-               Material                    outside,
-               TetrahedralMesh &           mesh)
+  LinkRepairer(const IndicatorSet &         indicators,
+               const std::vector<Vector> &  points,
+               const TetrahedronAdjacency & adjacency,
+               Material                     outside,
+               TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
     , m_Points(points)
     , m_Outside(outside)
     , m_Mesh(mesh)
-    , m_Neighbours(ComputeTetrahedronNeighbours(mesh.tetrahedra))
-    , m_Stars(points.size(),
-              mesh.tetrahedra.size(),
-              [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; })
-    , m_Inspector(mesh, m_Neighbours, m_Stars, outside)
+    , m_Adjacency(adjacency)
+    , m_Inspector(mesh, adjacency, outside)
     , m_Sizes(indicators.GetNumberOfMaterials() + 1, 0)
   {
     for (const Material m : mesh.materials)
@@ -155,7 +149,7 @@ private:
   LinkDefects
   FindDefectsAt(const std::vector<PointId> & points) const
   {
-    return FindDefects(m_Mesh, m_Neighbours, m_Stars, m_Outside, points);
+    return FindDefects(m_Mesh, m_Adjacency, m_Outside, points);
   }
 
   /** Tetrahedra, and what they could be. */
@@ -206,15 +200,16 @@ private:
     const std::vector<int>      parts(m_Inspector.Parts().begin(), m_Inspector.Parts().end() - 1);
     const std::vector<PointId>  edges = m_Inspector.DefectEdges();
     const std::vector<Material> materials = m_Inspector.Materials();
-    const auto * const          star = m_Stars.Begin(p);
+    const auto * const          star = m_Adjacency.stars.Begin(p);
     std::vector<std::uint32_t>  group;
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       this->AddChanges({ star[i] }, changes);
-      for (const auto other : m_Neighbours[star[i]])
+      for (const auto other : m_Adjacency.neighbours[star[i]])
       {
         if (withPairs && other != NoTetrahedron && other > star[i] &&
-            m_Mesh.materials[other] == m_Mesh.materials[star[i]] && std::binary_search(star, m_Stars.End(p), other))
+            m_Mesh.materials[other] == m_Mesh.materials[star[i]] &&
+            std::binary_search(star, m_Adjacency.stars.End(p), other))
         {
           this->AddChanges({ star[i], other }, changes);
         }
@@ -238,7 +233,7 @@ private:
     }
     for (const Material m : materials)
     {
-      changes.push_back({ std::vector<std::uint32_t>(star, m_Stars.End(p)), m });
+      changes.push_back({ std::vector<std::uint32_t>(star, m_Adjacency.stars.End(p)), m });
     }
   }
 
@@ -246,7 +241,7 @@ private:
   AddSectors(PointId p, PointId q, std::vector<Change> & changes)
   {
     std::vector<std::uint32_t> ring;
-    for (const auto * t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
+    for (const auto * t = m_Adjacency.stars.Begin(p); t != m_Adjacency.stars.End(p); ++t)
     {
       const auto & corners = m_Mesh.tetrahedra[*t];
       if (std::find(corners.begin(), corners.end(), q) != corners.end())
@@ -266,7 +261,7 @@ private:
       isTaken[i] = 1;
       for (std::size_t n = 0; n < sector.size(); ++n)
       {
-        for (const auto other : m_Neighbours[sector[n]])
+        for (const auto other : m_Adjacency.neighbours[sector[n]])
         {
           const auto found = std::size_t(std::lower_bound(ring.begin(), ring.end(), other) - ring.begin());
           if (found < ring.size() && ring[found] == other && !isTaken[found] &&
@@ -289,7 +284,7 @@ private:
     std::vector<Material> beyond;
     for (const auto t : tetrahedra)
     {
-      for (const auto other : m_Neighbours[t])
+      for (const auto other : m_Adjacency.neighbours[t])
       {
         const Material m = other == NoTetrahedron ? m_Outside : m_Mesh.materials[other];
         if (m != own && std::find(beyond.begin(), beyond.end(), m) == beyond.end())
@@ -401,13 +396,12 @@ private:
     return std::min<std::size_t>(m, m_Sizes.size() - 1);
   }
 
-  const IndicatorSet &        m_Indicators;
-  const std::vector<Vector> & m_Points;
-  const Material              m_Outside;
-  TetrahedralMesh &           m_Mesh;
-  const Neighbours            m_Neighbours;
-  const Incidence             m_Stars;
-  LinkInspector               m_Inspector;
+  const IndicatorSet &         m_Indicators;
+  const std::vector<Vector> &  m_Points;
+  const Material               m_Outside;
+  TetrahedralMesh &            m_Mesh;
+  const TetrahedronAdjacency & m_Adjacency;
+  LinkInspector                m_Inspector;
   /** The number of tetrahedra of each material. */
   std::vector<std::size_t> m_Sizes;
   /** Points whose links are not known any more. */
@@ -416,19 +410,18 @@ private:
 } // namespace
 
 LinkDefects
-FindLinkDefects(const TetrahedralMesh & mesh, std::size_t numberOfPoints, Material outside)
+FindLinkDefects(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside)
 {
-  const Incidence stars(
-    numberOfPoints, mesh.tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; });
-  return FindDefects(mesh, ComputeTetrahedronNeighbours(mesh.tetrahedra), stars, outside, AllPoints(numberOfPoints));
+  return FindDefects(mesh, adjacency, outside, AllPoints(adjacency.numberOfPoints));
 }
 
 LinkRepairReport
-RepairLinks(const IndicatorSet &        indicators,
-            const std::vector<Vector> & points,
-            Material                    outside,
-            TetrahedralMesh &           mesh)
+RepairLinks(const IndicatorSet &         indicators,
+            const std::vector<Vector> &  points,
+            const TetrahedronAdjacency & adjacency,
+            Material                     outside,
+            TetrahedralMesh &            mesh)
 {
-  return LinkRepairer(indicators, points, outside, mesh).Repair();
+  return LinkRepairer(indicators, points, adjacency, outside, mesh).Repair();
 }
 } // namespace mmm

@@ -19,7 +19,6 @@
 
 #include "mmmLinkInspector.h"
 #include "mmmParallel.h"
-#include "mmmTetrahedronNeighbours.h"
 
 #include <algorithm>
 
@@ -32,18 +31,16 @@ constexpr std::size_t Grain = 1024;
 class TetrahedronTurner
 {
 public:
-  TetrahedronTurner(const IndicatorSet &        indicators,
-                    const std::vector<Vector> & points,
-                    Material                    exterior,
-                    TetrahedralMesh &           mesh)
+  TetrahedronTurner(const IndicatorSet &         indicators,
+                    const std::vector<Vector> &  points,
+                    const TetrahedronAdjacency & adjacency,
+                    Material                     exterior,
+                    TetrahedralMesh &            mesh)
     : m_Mesh(mesh)
     , m_Exterior(exterior)
     , m_Wanted(mesh.materials)
-    , m_Neighbours(ComputeTetrahedronNeighbours(mesh.tetrahedra))
-    , m_Stars(points.size(),
-              mesh.tetrahedra.size(),
-              [&](std::size_t t) -> const Tetrahedron & { return mesh.tetrahedra[t]; })
-    , m_Inspector(mesh, m_Neighbours, m_Stars, exterior)
+    , m_Neighbours(adjacency.neighbours)
+    , m_Inspector(mesh, adjacency, exterior)
   {
     ParallelFor(m_Wanted.size(), Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t)
@@ -87,9 +84,9 @@ private:
     {
       return false;
     }
-    const auto before = this->CountDefects(t);
+    const auto before = m_Inspector.CountDefectsAt(m_Mesh.tetrahedra[t]);
     m_Mesh.materials[t] = m_Wanted[t];
-    if (this->CountDefects(t) > before)
+    if (m_Inspector.CountDefectsAt(m_Mesh.tetrahedra[t]) > before)
     {
       m_Mesh.materials[t] = own;
       return false;
@@ -105,33 +102,21 @@ private:
     });
   }
 
-  std::size_t
-  CountDefects(std::uint32_t t)
-  {
-    std::size_t count = 0;
-    for (const PointId p : m_Mesh.tetrahedra[t])
-    {
-      m_Inspector.Inspect(p);
-      count += m_Inspector.CountDefects();
-    }
-    return count;
-  }
-
-  TetrahedralMesh &                               m_Mesh;
-  const Material                                  m_Exterior;
-  std::vector<Material>                           m_Wanted;
-  const std::vector<std::array<std::uint32_t, 4>> m_Neighbours;
-  const Incidence                                 m_Stars;
-  LinkInspector                                   m_Inspector;
+  TetrahedralMesh &                                 m_Mesh;
+  const Material                                    m_Exterior;
+  std::vector<Material>                             m_Wanted;
+  const std::vector<std::array<std::uint32_t, 4>> & m_Neighbours;
+  LinkInspector                                     m_Inspector;
 };
 } // namespace
 
 std::vector<std::uint32_t>
-FindStuckTetrahedra(const IndicatorSet &        indicators,
-                    const std::vector<Vector> & points,
-                    Material                    exterior,
-                    TetrahedralMesh             mesh)
+FindStuckTetrahedra(const IndicatorSet &         indicators,
+                    const std::vector<Vector> &  points,
+                    const TetrahedronAdjacency & adjacency,
+                    Material                     exterior,
+                    TetrahedralMesh              mesh)
 {
-  return TetrahedronTurner(indicators, points, exterior, mesh).Run();
+  return TetrahedronTurner(indicators, points, adjacency, exterior, mesh).Run();
 }
 } // namespace mmm

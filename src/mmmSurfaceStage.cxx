@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 namespace mmm
 {
@@ -206,12 +207,13 @@ DescribeLinks(const LinkRepairReport & repair, const ParticleSet & particles, Li
 /** The places where the topology of the tetrahedra is not that of the partition: samples. With `finely`, also what lies
  * between samples, and some places where it is right. */
 std::vector<Index>
-FindDifferingSamples(const SampleLattice &    lattice,
-                     const SampledMaterials & partition,
-                     const ParticleSet &      particles,
-                     const TetrahedralMesh &  labelled,
-                     Material                 exterior,
-                     bool                     finely)
+FindDifferingSamples(const SampleLattice &        lattice,
+                     const SampledMaterials &     partition,
+                     const ParticleSet &          particles,
+                     const TetrahedralMesh &      labelled,
+                     const TetrahedronAdjacency & adjacency,
+                     Material                     exterior,
+                     bool                         finely)
 {
   const auto &       x = particles.positions;
   std::vector<Index> samples;
@@ -225,7 +227,7 @@ FindDifferingSamples(const SampleLattice &    lattice,
   }
   if (finely)
   {
-    for (const auto t : FindStuckTetrahedra(lattice.GetIndicators(), x, exterior, labelled))
+    for (const auto t : FindStuckTetrahedra(lattice.GetIndicators(), x, adjacency, exterior, labelled))
     {
       const auto & c = labelled.tetrahedra[t];
       samples.push_back(lattice.SampleNear(0.25 * (x[c[0]] + x[c[1]] + x[c[2]] + x[c[3]])));
@@ -269,11 +271,12 @@ BuildSurface(const IndicatorSet & indicators,
 {
   const auto   exterior = Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials());
   const Grid & grid = indicators.GetGrid();
-  const SampleLattice    lattice(indicators);
-  const SampledMaterials partition = lattice.SamplePartition(exterior);
-  TetrahedralMesh        labelled;
-  LinkRepairReport       repair;
-  const int              lastRound = SurfaceRounds + (keepTopology ? MendingRounds : 0);
+  const SampleLattice                 lattice(indicators);
+  const SampledMaterials              partition = lattice.SamplePartition(exterior);
+  TetrahedralMesh                     labelled;
+  std::optional<TetrahedronAdjacency> adjacency;
+  LinkRepairReport                    repair;
+  const int                           lastRound = SurfaceRounds + (keepTopology ? MendingRounds : 0);
   for (int round = 0;; ++round)
   {
     labelled.tetrahedra = TetrahedralizeWithin(grid, particles.positions);
@@ -290,8 +293,9 @@ BuildSurface(const IndicatorSet & indicators,
     }
     if (round >= FirstComparison)
     {
-      repair = RepairLinks(indicators, particles.positions, exterior, labelled);
-      TurnFlatTetrahedra(indicators, particles.positions, exterior, labelled);
+      adjacency.emplace(labelled.tetrahedra, particles.Size());
+      repair = RepairLinks(indicators, particles.positions, *adjacency, exterior, labelled);
+      TurnFlatTetrahedra(indicators, particles.positions, *adjacency, exterior, labelled);
     }
     if (round == lastRound)
     {
@@ -300,7 +304,7 @@ BuildSurface(const IndicatorSet & indicators,
     if (round >= FirstComparison)
     {
       const bool finely = keepTopology && round > SurfaceRounds;
-      differing = FindDifferingSamples(lattice, partition, particles, labelled, exterior, finely);
+      differing = FindDifferingSamples(lattice, partition, particles, labelled, *adjacency, exterior, finely);
     }
     if (isRelaxed)
     {
@@ -318,8 +322,8 @@ BuildSurface(const IndicatorSet & indicators,
       break;
     }
   }
-  repair.left = FindLinkDefects(labelled, particles.Size(), exterior);
-  report.links.updatedCells = UpdateCells(indicators, labelled, exterior, particles);
+  repair.left = FindLinkDefects(labelled, *adjacency, exterior);
+  report.links.updatedCells = UpdateCells(indicators, labelled, *adjacency, exterior, particles);
   DescribeLinks(repair, particles, report.links);
   InterfaceMesh interfaces = ExtractInterfaces(labelled, exterior);
   report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, interfaces, exterior);

@@ -72,7 +72,8 @@ MakeHalfSpaces(double height)
 std::size_t
 Turn(const mmmtest::Scene & scene, Lens & lens)
 {
-  return mmm::TurnFlatTetrahedra(*scene.indicators, lens.points, Outside, lens.mesh);
+  const mmm::TetrahedronAdjacency adjacency(lens.mesh.tetrahedra, lens.points.size());
+  return mmm::TurnFlatTetrahedra(*scene.indicators, lens.points, adjacency, Outside, lens.mesh);
 }
 } // namespace
 

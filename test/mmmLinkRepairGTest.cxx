@@ -57,6 +57,12 @@ struct Octahedron
         mmm::Material(materialAt(octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1)));
     }
   }
+
+  mmm::TetrahedronAdjacency
+  Adjacency() const
+  {
+    return { mesh.tetrahedra, points.size() };
+  }
 };
 
 constexpr mmm::Material Outside = 9;
@@ -64,7 +70,7 @@ constexpr mmm::Material Outside = 9;
 mmm::LinkDefects
 DefectsOf(const Octahedron & octahedron)
 {
-  return mmm::FindLinkDefects(octahedron.mesh, octahedron.points.size(), Outside);
+  return mmm::FindLinkDefects(octahedron.mesh, octahedron.Adjacency(), Outside);
 }
 } // namespace
 
@@ -106,7 +112,8 @@ TEST(LinkRepair, MendsConesThatTouchWhereTheIndicatorsMindLeast)
       return x[0] > 7.9 && x[1] > 7.9 && x[2] > 7.9;
     }));
   Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int y, int z) { return x == y && y == z; });
-  const auto report = mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh);
+  const auto report =
+    mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh);
   EXPECT_EQ(report.found.points.size(), 1u);
   EXPECT_EQ(report.left.points.size(), 0u);
   EXPECT_EQ(report.relabelled, 1u);
@@ -120,7 +127,9 @@ TEST(LinkRepair, LeavesAMeshWithoutDefects)
   const mmmtest::Scene scene(mmmtest::MakeMaterials(
     { { 16, 16, 16 } }, mmm::Vector::Ones(), 2, [](const mmm::Vector & x) { return x[2] > 7.9; }));
   Octahedron           octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int, int) { return x > 0; });
-  EXPECT_EQ(mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh).relabelled, 0u);
+  EXPECT_EQ(
+    mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh).relabelled,
+    0u);
 }
 
 TEST(LinkRepair, LosesNoMaterial)
@@ -132,7 +141,7 @@ TEST(LinkRepair, LosesNoMaterial)
     }));
   Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5),
                         [](int x, int y, int z) { return x == y && y == z ? (x > 0 ? 1 : 2) : 0; });
-  mmm::RepairLinks(*scene.indicators, octahedron.points, Outside, octahedron.mesh);
+  mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh);
   const auto & materials = octahedron.mesh.materials;
   EXPECT_EQ(std::count(materials.begin(), materials.end(), 2), 1);
 }

@@ -97,7 +97,7 @@ public:
   std::vector<std::uint32_t>
   FindStuck() const
   {
-    return mmm::FindStuckTetrahedra(*m_Scene.indicators, m_Points, 0, mesh);
+    return mmm::FindStuckTetrahedra(*m_Scene.indicators, m_Points, { mesh.tetrahedra, m_Points.size() }, 0, mesh);
   }
 
   mmm::TetrahedralMesh mesh;
