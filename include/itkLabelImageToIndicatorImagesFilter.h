@@ -98,7 +98,8 @@ public:
   itkGetConstMacro(Radius, double);
 
   /** Widen the small places where two labels, voxels of which share a face there, touch through a thin sheet of a third
-   * one, rather than close them. They take small triangles. Default: false. */
+   * one, rather than close them, and look between samples for what else is narrow. They take small triangles.
+   * Default: false. */
   itkSetMacro(KeepContacts, bool);
   itkGetConstMacro(KeepContacts, bool);
   itkBooleanMacro(KeepContacts);

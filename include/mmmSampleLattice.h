@@ -44,6 +44,14 @@ public:
   /** Where a mesh's interface is this close, in voxels, a sample is on either side of it. */
   static constexpr double Tolerance = 0.1;
 
+  /** The samples per voxel and axis at which topologies are compared: what is half a voxel wide, as it is where
+   * topologies are kept, takes four. */
+  static constexpr int
+  RefinementFor(bool keepTopology)
+  {
+    return keepTopology ? 4 : 2;
+  }
+
   /** `refinement` is the number of samples per voxel and axis, 2 or 4. */
   explicit SampleLattice(const IndicatorSet & indicators, int refinement = 2);
 

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "mmmPassageWidening.h"
 
+#include "mmmCriticalPoint.h"
+#include "mmmIndicatorRaises.h"
 #include "mmmIndicatorSmoothing.h"
 #include "mmmParallelCollect.h"
 #include "mmmSampleLattice.h"
@@ -26,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 
 namespace mmm
 {
@@ -35,10 +38,9 @@ constexpr int Refinement = 2;
 /** How much the largest indicator exceeds the second where a passage is wide enough, in voxels; an interface lies at
  * half of that. */
 constexpr float PassageLead = 0.5f;
-/** By how much a node's material leads at least. */
-constexpr float NodeLead = 0.3f;
-/** What has been widened may leave something else narrow. */
+/** What has been widened may leave something else narrow. More passes where contacts are kept. */
 constexpr int         Passes = 3;
+constexpr int         ContactPasses = 6;
 constexpr std::size_t PlacesPerRange = 4096;
 
 IndicatorSet
@@ -61,39 +63,6 @@ struct WeakSample
   Material    second;
 };
 
-/** What an indicator gets at a node, or loses. */
-struct Raise
-{
-  std::size_t node;
-  Material    material;
-  float       amount;
-
-  bool
-  operator<(const Raise & other) const
-  {
-    return node != other.node           ? node < other.node
-           : material != other.material ? material < other.material
-           : IsLoss() != other.IsLoss() ? other.IsLoss()
-                                        : std::abs(amount) > std::abs(other.amount);
-  }
-  bool
-  IsLoss() const
-  {
-    return amount < 0.0f;
-  }
-};
-
-/** Keeps the largest gain and the largest loss of each material at a node. */
-void
-KeepLargest(std::vector<Raise> & raises)
-{
-  std::sort(raises.begin(), raises.end());
-  const auto isSame = [](const Raise & a, const Raise & b) {
-    return a.node == b.node && a.material == b.material && a.IsLoss() == b.IsLoss();
-  };
-  raises.erase(std::unique(raises.begin(), raises.end(), isSame), raises.end());
-}
-
 class PassageWidener
 {
 public:
@@ -112,14 +81,15 @@ public:
   {
     std::vector<std::size_t> places(m_Materials.size());
     std::iota(places.begin(), places.end(), 0);
-    for (int pass = 0; pass < Passes && !places.empty(); ++pass)
+    const int passes = m_KeepContacts ? ContactPasses : Passes;
+    for (int pass = 0; pass < passes && !places.empty(); ++pass)
     {
       if (pass > 0)
       {
         m_Indicators = MakeIndicatorSet(m_Grid, m_Blocks);
       }
       const auto weak = this->Collect<WeakSample>(
-        places, [this](std::size_t place, std::vector<WeakSample> & found) { this->SampleAt(place, found); });
+        places, [this](std::size_t place, std::vector<WeakSample> & found) { this->ReadSample(place, found); });
       auto raises = this->Collect<Raise>(places, [this](std::size_t place, std::vector<Raise> & found) {
         m_IsClosed[place] = this->AddContacts(m_Lattice.SampleAt(place), m_Materials[place], found);
       });
@@ -127,8 +97,11 @@ public:
       {
         this->AddRaises(sample, raises);
       }
-      KeepLargest(raises);
-      this->Apply(raises);
+      if (m_KeepContacts)
+      {
+        this->TipBalances(this->FindBalances(weak), raises);
+      }
+      ApplyRaises(m_Indicators, raises, m_Blocks);
       places = this->PlacesAround(raises);
     }
   }
@@ -136,6 +109,16 @@ public:
 private:
   /** The materials of a sample's neighbours. */
   using Surroundings = std::array<Material, SampleNeighbours::Count>;
+
+  /** A critical point of the difference of two materials where neither leads by much: the middle of something narrow,
+   * and the nodes around it. */
+  struct Balance
+  {
+    NodeBox  nodes;
+    Material leader;
+    Material other;
+    float    lead;
+  };
 
   /** What visit(place, found) finds at some places, in their order. */
   template <typename T, typename TVisitor>
@@ -147,7 +130,7 @@ private:
   }
 
   void
-  SampleAt(std::size_t place, std::vector<WeakSample> & weak)
+  ReadSample(std::size_t place, std::vector<WeakSample> & weak)
   {
     const Index sample = m_Lattice.SampleAt(place);
     if (m_Lattice.IsDecidedByNodes(sample))
@@ -183,29 +166,6 @@ private:
     }
   }
 
-  /** The nodes around what is between two samples, or around one. */
-  struct NodeBox
-  {
-    Index lower;
-    Index upper;
-
-    template <typename TVisitor>
-    void
-    Visit(TVisitor && visit) const
-    {
-      for (int k = lower[2]; k <= upper[2]; ++k)
-      {
-        for (int j = lower[1]; j <= upper[1]; ++j)
-        {
-          for (int i = lower[0]; i <= upper[0]; ++i)
-          {
-            visit(Index{ { i, j, k } });
-          }
-        }
-      }
-    }
-  };
-
   NodeBox
   NodesAround(const Index & sample, const Index & other) const
   {
@@ -216,6 +176,21 @@ private:
       box.upper[a] = std::min((other[a] + Refinement - 1) / Refinement, m_Grid.size[a] - 1);
     }
     return box;
+  }
+
+  NodeBox
+  NodesAround(const Vector & x) const
+  {
+    // a node this close is the only one of its axis
+    constexpr double Near = 0.1;
+    NodeBox          box;
+    for (int a = 0; a < 3; ++a)
+    {
+      const double at = x[a] / m_Grid.spacing[a];
+      box.lower[a] = int(std::floor(at + Near));
+      box.upper[a] = int(std::ceil(at - Near));
+    }
+    return { m_Grid.Clamp(box.lower), m_Grid.Clamp(box.upper) };
   }
 
   /** What a weak sample needs if it holds something together, or apart. */
@@ -242,6 +217,68 @@ private:
       amount /= box.upper[a] > box.lower[a] ? Halfway : 1.0;
     }
     box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), own, float(amount) }); });
+  }
+
+  /** Near samples whose material leads by little, those that lead most first. */
+  std::vector<Balance>
+  FindBalances(const std::vector<WeakSample> & weak) const
+  {
+    constexpr std::size_t SamplesPerRange = 256;
+    auto                  balances =
+      ParallelCollect<Balance>(weak.size(), SamplesPerRange, [&](std::size_t n, std::vector<Balance> & found) {
+        Balance balance;
+        if (!m_IsClosed[weak[n].place] && this->FindBalance(weak[n], balance))
+        {
+          found.push_back(balance);
+        }
+      });
+    std::stable_sort(
+      balances.begin(), balances.end(), [](const Balance & a, const Balance & b) { return a.lead > b.lead; });
+    return balances;
+  }
+
+  bool
+  FindBalance(const WeakSample & weak, Balance & balance) const
+  {
+    // what is nearer to another sample is found from there
+    constexpr double Reach = 0.7 / Refinement;
+    const Material   own = m_Materials[weak.place];
+    Vector           x = m_Lattice.Position(m_Lattice.SampleAt(weak.place));
+    if (!FindCriticalPoint(m_Indicators, own, weak.second, Reach * m_Grid.spacing, x))
+    {
+      return false;
+    }
+    const double lead = m_Indicators.Value(own, x) - m_Indicators.Value(weak.second, x);
+    balance = {
+      this->NodesAround(x), lead > 0.0 ? own : weak.second, lead > 0.0 ? weak.second : own, float(std::abs(lead))
+    };
+    return balance.lead < PassageLead && m_Indicators.MaterialAt(x) == balance.leader;
+  }
+
+  /** Tips the balances: the one that leads gets its lead, unless the other one has got it at a neighbour that comes
+   * earlier. */
+  void
+  TipBalances(std::vector<Balance> balances, std::vector<Raise> & raises) const
+  {
+    std::unordered_map<std::size_t, const Balance *> tipped;
+    for (Balance & balance : balances)
+    {
+      bool isLost = false;
+      balance.nodes.Visit([&](const Index & node) {
+        const auto at = tipped.find(m_Grid.Offset(node));
+        isLost =
+          isLost || (at != tipped.end() && at->second->leader == balance.other && at->second->other == balance.leader);
+      });
+      if (isLost)
+      {
+        std::swap(balance.leader, balance.other);
+        balance.lead = -balance.lead;
+      }
+      balance.nodes.Visit([&](const Index & node) {
+        tipped.insert({ m_Grid.Offset(node), &balance });
+        raises.push_back({ m_Grid.Offset(node), balance.leader, PassageLead - balance.lead });
+      });
+    }
   }
 
   /** What is to change where a sample touches others of another material, and a third one that holds something together
@@ -350,59 +387,6 @@ private:
       set |= unsigned(around[n] == material) << n;
     }
     return set;
-  }
-
-  /** As far as each node keeps its material. */
-  void
-  Apply(const std::vector<Raise> & raises)
-  {
-    for (const Raise & raise : raises)
-    {
-      const Index    node = m_Grid.IndexAt(raise.node);
-      const Material own = m_Indicators.MaterialAtNode(raise.node);
-      float * const  value = this->ValueAt(raise.material, node);
-      if (value == nullptr)
-      {
-        continue;
-      }
-      float amount = raise.amount;
-      if ((own == raise.material) == raise.IsLoss())
-      {
-        const float spare = std::max(0.0f, this->LeadAtNode(own, raise.material, node) - NodeLead);
-        amount = std::min(std::max(amount, -spare), spare);
-      }
-      *value += amount;
-    }
-  }
-
-  float *
-  ValueAt(Material material, const Index & node) const
-  {
-    Block<float> & block = m_Blocks[material];
-    Index          at;
-    for (int a = 0; a < 3; ++a)
-    {
-      at[a] = node[a] - block.lower[a];
-      if (at[a] < 0 || at[a] >= block.size[a])
-      {
-        return nullptr;
-      }
-    }
-    return &block.values[(std::size_t(at[2]) * block.size[1] + at[1]) * block.size[0] + at[0]];
-  }
-
-  /** By how much a node's material leads another one or, if that is the same, everybody. */
-  float
-  LeadAtNode(Material own, Material other, const Index & node) const
-  {
-    const auto range = m_Indicators.Candidates(m_Grid.Position(node));
-    float      largest = -1e30f;
-    for (auto m = range.first; m != range.second; ++m)
-    {
-      const float * value = *m != own && (*m == other || other == own) ? this->ValueAt(*m, node) : nullptr;
-      largest = value ? std::max(largest, *value) : largest;
-    }
-    return *this->ValueAt(own, node) - largest;
   }
 
   /** The places that interpolation takes changes to, ascending. */

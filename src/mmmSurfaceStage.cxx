@@ -271,7 +271,7 @@ BuildSurface(const IndicatorSet & indicators,
 {
   const auto   exterior = Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials());
   const Grid & grid = indicators.GetGrid();
-  const SampleLattice                 lattice(indicators);
+  const SampleLattice                 lattice(indicators, SampleLattice::RefinementFor(keepTopology));
   const SampledMaterials              partition = lattice.SamplePartition(exterior);
   TetrahedralMesh                     labelled;
   std::optional<TetrahedronAdjacency> adjacency;

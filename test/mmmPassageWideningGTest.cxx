@@ -15,9 +15,12 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "mmmCriticalPoint.h"
 #include "mmmHash.h"
 #include "mmmIndicatorSmoothing.h"
 #include "mmmPassageWidening.h"
+#include "mmmSampleLattice.h"
+
 #include "mmmTestScenes.h"
 
 #include "gtest/gtest.h"
@@ -76,6 +79,22 @@ MakeSheet(const TFunction & heightAt)
     return int(x[2]) < height ? 0 : int(x[2]) == height ? 1 : 2;
   });
 }
+/** From how many of a lattice's samples one finds a critical point at which neither material leads by a fifth of a
+ * voxel.
+ */
+std::size_t
+CountNarrow(const mmm::IndicatorSet & indicators)
+{
+  const mmm::SampleLattice lattice(indicators, 4);
+  std::size_t              count = 0;
+  for (std::size_t place = 0; place < lattice.NumberOfKept(); ++place)
+  {
+    Vector x = lattice.Position(lattice.SampleAt(place));
+    count += mmm::FindCriticalPoint(indicators, 0, 1, Vector::Constant(0.2), x) &&
+             std::abs(indicators.InsideOutside(1, x)) < 0.2;
+  }
+  return count;
+}
 } // namespace
 
 TEST(PassageWidening, KeepsTheMaterialsOfNodes)
@@ -106,6 +125,19 @@ TEST(PassageWidening, MakesTheContactOfTwoVoxelsWider)
   const Vector contact(5.5, 5.5, 6.0);
   EXPECT_LT(std::abs(widened.before->InsideOutside(1, contact)), 0.2);
   EXPECT_GT(std::abs(widened.after->InsideOutside(1, contact)), 0.35);
+}
+
+TEST(PassageWidening, LeavesFewNarrowPassagesBetweenSamples)
+{
+  const auto    image = mmmtest::MakeMaterials({ { 16, 16, 16 } }, Vector::Ones(), 2, [](const Vector & x) {
+    const Vector wave = (0.9 * x + Vector(0.3, 0.7, 0.1)).array().sin();
+    return wave[0] * wave[1] + wave[1] * wave[2] + wave[2] * wave[0] > 0.0;
+  });
+  const Widened widened(image, true);
+  const auto    before = CountNarrow(*widened.before);
+  const auto    after = CountNarrow(*widened.after);
+  EXPECT_GT(before, 100u);
+  EXPECT_LT(after, before / 50);
 }
 
 TEST(PassageWidening, ClosesSheetsThatStepOverEdges)
