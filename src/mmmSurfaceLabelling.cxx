@@ -20,6 +20,7 @@
 #include "mmmParallel.h"
 #include "mmmTetrahedronSupport.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mmm
@@ -27,7 +28,8 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 2048;
-/** A tetrahedron is flat if it is all within this distance of an interface, in units of the smallest voxel spacing. */
+/** A tetrahedron is flat if it is all within this distance of an interface, in units of the smallest voxel spacing or
+ * of its longest edge where that is shorter: small ones fill passages that are this narrow. */
 constexpr double FlatDistance = 0.25;
 
 /** The centre of the sphere through the corners of a tetrahedron; false if they are in a plane. */
@@ -86,7 +88,21 @@ private:
   LiesFlat(const TetrahedronSupport & support) const
   {
     return m_Count == 2 && !m_Indicators.IsPlane(m_Common[0]) && !m_Indicators.IsPlane(m_Common[1]) &&
-           support.IsNear(m_Common[0], m_Common[1], FlatDistance);
+           support.IsNear(m_Common[0], m_Common[1], FlatDistance * std::min(1.0, this->LongestEdge()));
+  }
+
+  double
+  LongestEdge() const
+  {
+    double square = 0.0;
+    for (int a = 0; a < 4; ++a)
+    {
+      for (int b = a + 1; b < 4; ++b)
+      {
+        square = std::max(square, (*m_Corners[a] - *m_Corners[b]).squaredNorm());
+      }
+    }
+    return std::sqrt(square);
   }
 
   /** On which side of the interface the centre of the sphere through the corners lies. */
