@@ -83,6 +83,9 @@ struct MeshingReport
   OptimizationReport optimization;
   /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
+  /** Of the particles that the surface was made of, and where the optimizer left them. */
+  ResidualReports residualsOfParticles;
+  ResidualReports residualsInTheEnd;
 };
 
 /** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */

@@ -51,17 +51,18 @@ struct SamplingReport
   double percentile99Spacing{ 0.0 };
   /** The share of edges whose spacing is near 1. */
   double nearShare{ 0.0 };
-  /** Of the particles on 1- and 2-cells; [0] is unused. */
-  std::array<ResidualReport, 3> residuals;
 };
 
-/** \brief How well the points of a surface follow h, and how near particles are to their cells. */
+/** \brief How well the points of a surface follow h. */
 MultiMaterialMeshing_EXPORT SamplingReport
-MeasureSampling(const IndicatorSet &        indicators,
-                const SizingField &         sizing,
-                const InterfaceMesh &       interfaces,
-                const std::vector<Vector> & points,
-                const ParticleSet &         particles);
+MeasureSampling(const SizingField & sizing, const InterfaceMesh & interfaces, const std::vector<Vector> & points);
+
+/** Of the particles on 1- and 2-cells; [0] is unused. */
+using ResidualReports = std::array<ResidualReport, 3>;
+
+/** \brief How near particles are to their cells. */
+MultiMaterialMeshing_EXPORT ResidualReports
+MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles);
 } // namespace mmm
 
 #endif

@@ -39,9 +39,6 @@ const char * const RelaxationNames[] = { "",
                                          "relaxation of 2-cells",
                                          "relaxation of the interior" };
 
-/** Samples per voxel and axis at which topologies are compared. */
-constexpr int UsualComparison = 2;
-constexpr int CloseComparison = 4;
 /** Smoothing takes over what relaxation has not settled in the interior. */
 constexpr int InteriorSweeps = 12;
 
@@ -155,7 +152,8 @@ DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Mat
 {
   result.junctions = ExtractJunctions(
     result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
-  result.report.sampling = MeasureSampling(indicators, sizing, result.interfaces, result.points, result.particles);
+  result.report.sampling = MeasureSampling(sizing, result.interfaces, result.points);
+  result.report.residualsInTheEnd = MeasureResiduals(indicators, result.particles);
 }
 } // namespace
 
@@ -203,6 +201,7 @@ BuildMesh(const IndicatorSet &      indicators,
                                    particles,
                                    monitor,
                                    report);
+  report.residualsOfParticles = MeasureResiduals(indicators, particles);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);
@@ -258,11 +257,8 @@ BuildMesh(const IndicatorSet &      indicators,
   if (parameters.compareTopology)
   {
     monitor.BeginStage("topology");
-    report.topology = CompareTopology(indicators,
-                                      result.points,
-                                      result.tetrahedra,
-                                      exterior,
-                                      parameters.keepTopology ? CloseComparison : UsualComparison);
+    report.topology = CompareTopology(
+      indicators, result.points, result.tetrahedra, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
     monitor.Report(1.0);
   }
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);

@@ -81,6 +81,11 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       if (joint.Join(particles.CellOf(p)))
       {
         particles.cells[nearest] = numbers(joint);
+        Vector place = particles.positions[nearest];
+        if (indicators.ProjectWhereMaximal(joint, place, JunctionDistance))
+        {
+          particles.positions[nearest] = place;
+        }
         kept[p] = 0;
       }
     }

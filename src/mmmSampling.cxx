@@ -58,7 +58,7 @@ EdgesOf(const std::vector<Triangle> & triangles)
 }
 
 ResidualReport
-MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles, int dimension)
+MeasureResidual(const IndicatorSet & indicators, const ParticleSet & particles, int dimension)
 {
   std::vector<float> distances;
   std::vector<float> all(particles.Size(), -1.0f);
@@ -87,11 +87,7 @@ MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles,
 } // namespace
 
 SamplingReport
-MeasureSampling(const IndicatorSet &        indicators,
-                const SizingField &         sizing,
-                const InterfaceMesh &       interfaces,
-                const std::vector<Vector> & points,
-                const ParticleSet &         particles)
+MeasureSampling(const SizingField & sizing, const InterfaceMesh & interfaces, const std::vector<Vector> & points)
 {
   SamplingReport     report;
   const auto         edges = EdgesOf(interfaces.triangles);
@@ -114,10 +110,17 @@ MeasureSampling(const IndicatorSet &        indicators,
     report.percentile1Spacing = Quantile(spacings, 0.01);
     report.percentile99Spacing = Quantile(spacings, 0.99);
   }
+  return report;
+}
+
+ResidualReports
+MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles)
+{
+  ResidualReports reports;
   for (int dimension = 1; dimension <= 2; ++dimension)
   {
-    report.residuals[dimension] = MeasureResiduals(indicators, particles, dimension);
+    reports[dimension] = MeasureResidual(indicators, particles, dimension);
   }
-  return report;
+  return reports;
 }
 } // namespace mmm

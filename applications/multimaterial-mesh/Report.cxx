@@ -232,23 +232,32 @@ RelaxationSection(const mmm::MeshingReport & report)
 }
 
 Json
-SamplingSection(const mmm::SamplingReport & sampling)
+ResidualSection(const mmm::ResidualReports & residuals)
 {
-  Json section;
-  section["spacing_by_size"] = { { "median", Number(sampling.medianSpacing) },
-                                 { "first_percentile", Number(sampling.percentile1Spacing) },
-                                 { "last_percentile", Number(sampling.percentile99Spacing) },
-                                 { "share_from_0.6_to_1.6", Number(sampling.nearShare) } };
-  section["residuals_in_voxels"] = Json::array();
-  for (std::size_t dimension = 1; dimension < sampling.residuals.size(); ++dimension)
+  Json section = Json::array();
+  for (std::size_t dimension = 1; dimension < residuals.size(); ++dimension)
   {
-    const mmm::ResidualReport & residual = sampling.residuals[dimension];
-    section["residuals_in_voxels"].push_back({ { "cell_dimension", dimension },
-                                               { "maximum", Number(residual.maximum) },
-                                               { "last_percentile", Number(residual.percentile99) },
-                                               { "share_above_0.01", Number(residual.leftShare) } });
+    const mmm::ResidualReport & residual = residuals[dimension];
+    section.push_back({ { "cell_dimension", dimension },
+                        { "maximum", Number(residual.maximum) },
+                        { "last_percentile", Number(residual.percentile99) },
+                        { "share_above_0.01", Number(residual.leftShare) } });
   }
   return section;
+}
+
+Json
+SamplingSection(const mmm::MeshingReport & report)
+{
+  const mmm::SamplingReport & sampling = report.sampling;
+  return { { "spacing_by_size",
+             { { "median", Number(sampling.medianSpacing) },
+               { "first_percentile", Number(sampling.percentile1Spacing) },
+               { "last_percentile", Number(sampling.percentile99Spacing) },
+               { "share_from_0.6_to_1.6", Number(sampling.nearShare) } } },
+           { "residuals_in_voxels",
+             { { "of_particles", ResidualSection(report.residualsOfParticles) },
+               { "in_the_end", ResidualSection(report.residualsInTheEnd) } } } };
 }
 
 Json
@@ -411,7 +420,7 @@ MakeReport(const Outcome & outcome)
   report["counts"] = CountSection(outcome);
   report["relaxation"] = RelaxationSection(filter.GetReport());
   report["topology"] = TopologySection(filter.GetReport());
-  report["sampling"] = SamplingSection(filter.GetReport().sampling);
+  report["sampling"] = SamplingSection(filter.GetReport());
   report["optimization"] = OptimizationSection(filter.GetReport().optimization);
   report["quality"] = QualitySection(outcome);
   report["stages"] = StageSection(outcome.stages);
