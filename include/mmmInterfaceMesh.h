@@ -19,7 +19,7 @@
 #define mmmInterfaceMesh_h
 
 #include "MultiMaterialMeshingExport.h"
-#include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronNeighbours.h"
 
 namespace mmm
 {
@@ -33,6 +33,9 @@ struct InterfaceMesh
 /** The faces between tetrahedra of different materials. The outside of the mesh has the material `outside`. */
 MultiMaterialMeshing_EXPORT InterfaceMesh
 ExtractInterfaces(const TetrahedralMesh & mesh, Material outside);
+/** The same where neighbours are known. */
+MultiMaterialMeshing_EXPORT InterfaceMesh
+ExtractInterfaces(const TetrahedralMesh & mesh, const TetrahedronNeighbours & neighbours, Material outside);
 
 /** \brief The material of each tetrahedron, from the interfaces that are among the tetrahedra's faces.
  *

@@ -29,14 +29,14 @@ struct TetrahedronAdjacency
 {
   TetrahedronAdjacency(const std::vector<Tetrahedron> & tetrahedra, std::size_t points)
     : numberOfPoints(points)
-    , neighbours(ComputeTetrahedronNeighbours(tetrahedra))
-    , stars(points, tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return tetrahedra[t]; })
+    , stars(StarsOfPoints(tetrahedra, points))
+    , neighbours(ComputeTetrahedronNeighbours(tetrahedra, points, stars))
   {}
 
-  std::size_t                               numberOfPoints;
-  std::vector<std::array<std::uint32_t, 4>> neighbours;
+  std::size_t numberOfPoints;
   /** The tetrahedra at each point. */
-  Incidence stars;
+  Incidence             stars;
+  TetrahedronNeighbours neighbours;
 };
 } // namespace mmm
 

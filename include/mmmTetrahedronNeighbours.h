@@ -19,13 +19,27 @@
 #define mmmTetrahedronNeighbours_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmIncidence.h"
 #include "mmmTetrahedralMesh.h"
 
 namespace mmm
 {
 /** Per tetrahedron the one beyond each of its faces (face f is opposite corner f), or NoTetrahedron. */
-MultiMaterialMeshing_EXPORT std::vector<std::array<std::uint32_t, 4>>
-                            ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra);
+using TetrahedronNeighbours = std::vector<std::array<std::uint32_t, 4>>;
+
+MultiMaterialMeshing_EXPORT TetrahedronNeighbours
+ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra);
+
+/** The tetrahedra at each point. */
+inline Incidence
+StarsOfPoints(const std::vector<Tetrahedron> & tetrahedra, std::size_t points)
+{
+  return Incidence(points, tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return tetrahedra[t]; });
+}
+
+/** The same where these are known. */
+MultiMaterialMeshing_EXPORT TetrahedronNeighbours
+ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra, std::size_t points, const Incidence & stars);
 } // namespace mmm
 
 #endif

@@ -172,11 +172,11 @@ private:
     return count;
   }
 
-  const IndicatorSet &                              m_Indicators;
-  const std::vector<Vector> &                       m_Points;
-  TetrahedralMesh &                                 m_Mesh;
-  const std::vector<std::array<std::uint32_t, 4>> & m_Neighbours;
-  LinkInspector                                     m_Inspector;
+  const IndicatorSet &          m_Indicators;
+  const std::vector<Vector> &   m_Points;
+  TetrahedralMesh &             m_Mesh;
+  const TetrahedronNeighbours & m_Neighbours;
+  LinkInspector                 m_Inspector;
 };
 } // namespace
 

@@ -17,7 +17,6 @@
  *=========================================================================*/
 #include "mmmInterfaceMesh.h"
 
-#include "mmmTetrahedronNeighbours.h"
 #include "mmmTriangleLookup.h"
 
 #include <algorithm>
@@ -39,7 +38,12 @@ AreOneTurn(const Triangle & a, const Triangle & b)
 InterfaceMesh
 ExtractInterfaces(const TetrahedralMesh & mesh, Material outside)
 {
-  const auto    neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
+  return ExtractInterfaces(mesh, ComputeTetrahedronNeighbours(mesh.tetrahedra), outside);
+}
+
+InterfaceMesh
+ExtractInterfaces(const TetrahedralMesh & mesh, const TetrahedronNeighbours & neighbours, Material outside)
+{
   InterfaceMesh interfaces;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
   {

@@ -102,11 +102,11 @@ private:
     });
   }
 
-  TetrahedralMesh &                                 m_Mesh;
-  const Material                                    m_Exterior;
-  std::vector<Material>                             m_Wanted;
-  const std::vector<std::array<std::uint32_t, 4>> & m_Neighbours;
-  LinkInspector                                     m_Inspector;
+  TetrahedralMesh &             m_Mesh;
+  const Material                m_Exterior;
+  std::vector<Material>         m_Wanted;
+  const TetrahedronNeighbours & m_Neighbours;
+  LinkInspector                 m_Inspector;
 };
 } // namespace
 

@@ -37,12 +37,10 @@ namespace mmm
 {
 namespace
 {
-/** Triangulations of the surface, each followed by sweeps of its particles, before the last one. */
+/** Triangulations of the surface that are followed by sweeps of its particles. The last of them is compared with the
+ * partition of the indicators: where its topology is another one, particles are added. */
 constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
-/** The first triangulation that is compared with the partition of the indicators. Where its topology is another one,
- * particles are added. */
-constexpr int FirstComparison = SurfaceRounds - 1;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
@@ -204,58 +202,178 @@ DescribeLinks(const LinkRepairReport & repair, const ParticleSet & particles, Li
   }
 }
 
-/** The places where the topology of the tetrahedra is not that of the partition: samples. With `finely`, also what lies
- * between samples, and some places where it is right. */
-std::vector<Index>
-FindDifferingSamples(const SampleLattice &        lattice,
-                     const SampledMaterials &     partition,
-                     const ParticleSet &          particles,
-                     const TetrahedralMesh &      labelled,
-                     const TetrahedronAdjacency & adjacency,
-                     Material                     exterior,
-                     bool                         finely)
+/** The particles, the sizes that they follow, and their labelled Delaunay tetrahedralization. */
+class SurfaceBuilder
 {
-  const auto &       x = particles.positions;
-  std::vector<Index> samples;
-  for (const auto & difference :
-       FindTopologyDifferences(lattice, partition, lattice.SampleMesh(x, labelled, exterior, partition)))
-  {
-    for (const auto place : difference.samples)
-    {
-      samples.push_back(lattice.SampleAt(place));
-    }
-  }
-  if (finely)
-  {
-    for (const auto t : FindStuckTetrahedra(lattice.GetIndicators(), x, adjacency, exterior, labelled))
-    {
-      const auto & c = labelled.tetrahedra[t];
-      samples.push_back(lattice.SampleNear(0.25 * (x[c[0]] + x[c[1]] + x[c[2]] + x[c[3]])));
-    }
-  }
-  return samples;
-}
+public:
+  SurfaceBuilder(const IndicatorSet & indicators,
+                 const SizingField &  sizing,
+                 int                  exteriorIndex,
+                 std::uint64_t        seed,
+                 bool                 keepTopology,
+                 std::vector<float> & sizes,
+                 ParticleSet &        particles)
+    : m_Indicators(indicators)
+    , m_Sizing(sizing)
+    , m_ExteriorIndex(exteriorIndex)
+    , m_Exterior(Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials()))
+    , m_Seed(seed)
+    , m_MendingRounds(keepTopology ? MendingRounds : 0)
+    , m_Lattice(indicators, SampleLattice::RefinementFor(keepTopology))
+    , m_Partition(m_Lattice.SamplePartition(m_Exterior))
+    , m_Sizes(sizes)
+    , m_Particles(particles)
+  {}
 
-/** Adds particles around samples, at a distance that is smaller in later rounds. Returns how many. */
-std::size_t
-SampleFinely(const SampleLattice &      lattice,
-             const SampledMaterials &   partition,
-             const std::vector<Index> & samples,
-             double                     distance,
-             const SizingField &        sizing,
-             int                        exteriorIndex,
-             std::uint64_t              seed,
-             std::vector<float> &       sizes,
-             ParticleSet &              particles)
-{
-  std::vector<Vector> places;
-  for (const Index & sample : samples)
+  void
+  Build(Monitor & monitor)
   {
-    places.push_back(lattice.Position(sample));
+    int        done = 0;
+    const auto tell = [&]() { monitor.Report(double(++done) / (SurfaceRounds + m_MendingRounds + 1)); };
+    for (int round = 0; round < SurfaceRounds; ++round)
+    {
+      this->Triangulate();
+      tell();
+      this->Relax(round + 1 == SurfaceRounds);
+    }
+    for (int round = 0;; ++round)
+    {
+      this->Triangulate();
+      tell();
+      this->MendLinks();
+      if (round == m_MendingRounds || !this->Mend(round))
+      {
+        break;
+      }
+    }
   }
-  RefineSizes(lattice.GetIndicators().GetGrid(), places, distance, sizes);
-  return SeedParticlesAround(lattice, partition, samples, sizing, exteriorIndex, seed, particles);
-}
+
+  InterfaceMesh
+  Finish(MeshingReport & report)
+  {
+    m_Repair.left = FindLinkDefects(m_Labelled, *m_Adjacency, m_Exterior);
+    report.links.updatedCells = UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, m_Particles);
+    DescribeLinks(m_Repair, m_Particles, report.links);
+    InterfaceMesh interfaces = this->Interfaces();
+    report.inconsistentTriangles = FindInconsistentTriangles(m_Indicators, m_Particles, interfaces, m_Exterior);
+    report.unusedParticles = DropUnusedParticles(m_Particles, interfaces);
+    for (std::size_t p = 0; p < m_Particles.Size(); ++p)
+    {
+      ++report.particles[m_Particles.CellOf(p).Dimension()];
+    }
+    return interfaces;
+  }
+
+private:
+  void
+  Triangulate()
+  {
+    m_Labelled.tetrahedra = TetrahedralizeWithin(m_Indicators.GetGrid(), m_Particles.positions);
+    m_Labelled.materials = LabelTetrahedra(m_Indicators, m_Particles, m_Labelled.tetrahedra, m_Exterior);
+    m_Adjacency.emplace(m_Labelled.tetrahedra, m_Particles.Size());
+  }
+
+  InterfaceMesh
+  Interfaces() const
+  {
+    return ExtractInterfaces(m_Labelled, m_Adjacency->neighbours, m_Exterior);
+  }
+
+  void
+  MendLinks()
+  {
+    m_Repair = RepairLinks(m_Indicators, m_Particles.positions, *m_Adjacency, m_Exterior, m_Labelled);
+    TurnFlatTetrahedra(m_Indicators, m_Particles.positions, *m_Adjacency, m_Exterior, m_Labelled);
+  }
+
+  /** Relaxes the particles on the surface, and samples what it missed; the last time also what connects otherwise. */
+  void
+  Relax(bool isLast)
+  {
+    const InterfaceMesh interfaces = this->Interfaces();
+    const auto          lost = FindNodesToSample(m_Indicators, m_Sizes, m_Particles, m_Labelled, m_Exterior);
+    std::vector<Index>  differing;
+    if (isLast)
+    {
+      this->MendLinks();
+      differing = this->FindDifferingSamples();
+    }
+    RelaxOnSurface(m_Indicators, m_Sizing, interfaces, SurfaceSweeps, !isLast, m_Particles);
+    MergeCloseParticles(m_Indicators, m_Sizing, m_Particles);
+    RefineSizes(m_Indicators.GetGrid(), lost, m_Sizes);
+    SeedParticlesAround(m_Indicators, m_Sizing, m_ExteriorIndex, m_Seed, lost, m_Particles);
+    this->SampleFinely(differing, RecoverySize);
+  }
+
+  /** Adds particles where the topology is not that of the partition, in later rounds more closely. Returns whether that
+   * can have changed something, or may in the next round. */
+  bool
+  Mend(int round)
+  {
+    auto samples = this->FindDifferingSamples();
+    if (round > 0)
+    {
+      this->AddStuckSamples(samples);
+    }
+    const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
+    return this->SampleFinely(samples, distance) > 0 || round == 0;
+  }
+
+  /** The samples where the topology of the tetrahedra is not that of the partition. */
+  std::vector<Index>
+  FindDifferingSamples() const
+  {
+    std::vector<Index> samples;
+    for (const auto & difference : FindTopologyDifferences(
+           m_Lattice, m_Partition, m_Lattice.SampleMesh(m_Particles.positions, m_Labelled, m_Exterior, m_Partition)))
+    {
+      for (const auto place : difference.samples)
+      {
+        samples.push_back(m_Lattice.SampleAt(place));
+      }
+    }
+    return samples;
+  }
+
+  /** Those near what is wrong between samples, and near some places where it is right. */
+  void
+  AddStuckSamples(std::vector<Index> & samples) const
+  {
+    const auto & x = m_Particles.positions;
+    for (const auto t : FindStuckTetrahedra(m_Indicators, x, *m_Adjacency, m_Exterior, m_Labelled))
+    {
+      const auto & c = m_Labelled.tetrahedra[t];
+      samples.push_back(m_Lattice.SampleNear(0.25 * (x[c[0]] + x[c[1]] + x[c[2]] + x[c[3]])));
+    }
+  }
+
+  /** Adds particles around samples, at a distance. Returns how many. */
+  std::size_t
+  SampleFinely(const std::vector<Index> & samples, double distance)
+  {
+    std::vector<Vector> places;
+    for (const Index & sample : samples)
+    {
+      places.push_back(m_Lattice.Position(sample));
+    }
+    RefineSizes(m_Indicators.GetGrid(), places, distance, m_Sizes);
+    return SeedParticlesAround(m_Lattice, m_Partition, samples, m_Sizing, m_ExteriorIndex, m_Seed, m_Particles);
+  }
+
+  const IndicatorSet &                m_Indicators;
+  const SizingField &                 m_Sizing;
+  const int                           m_ExteriorIndex;
+  const Material                      m_Exterior;
+  const std::uint64_t                 m_Seed;
+  const int                           m_MendingRounds;
+  const SampleLattice                 m_Lattice;
+  const SampledMaterials              m_Partition;
+  std::vector<float> &                m_Sizes;
+  ParticleSet &                       m_Particles;
+  TetrahedralMesh                     m_Labelled;
+  std::optional<TetrahedronAdjacency> m_Adjacency;
+  LinkRepairReport                    m_Repair;
+};
 } // namespace
 
 InterfaceMesh
@@ -269,69 +387,8 @@ BuildSurface(const IndicatorSet & indicators,
              Monitor &            monitor,
              MeshingReport &      report)
 {
-  const auto   exterior = Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials());
-  const Grid & grid = indicators.GetGrid();
-  const SampleLattice                 lattice(indicators, SampleLattice::RefinementFor(keepTopology));
-  const SampledMaterials              partition = lattice.SamplePartition(exterior);
-  TetrahedralMesh                     labelled;
-  std::optional<TetrahedronAdjacency> adjacency;
-  LinkRepairReport                    repair;
-  const int                           lastRound = SurfaceRounds + (keepTopology ? MendingRounds : 0);
-  for (int round = 0;; ++round)
-  {
-    labelled.tetrahedra = TetrahedralizeWithin(grid, particles.positions);
-    labelled.materials = LabelTetrahedra(indicators, particles, labelled.tetrahedra, exterior);
-    monitor.Report(double(round + 1) / (lastRound + 1));
-    const bool               isRelaxed = round < SurfaceRounds;
-    InterfaceMesh            interfaces;
-    std::vector<std::size_t> lost;
-    std::vector<Index>       differing;
-    if (isRelaxed)
-    {
-      interfaces = ExtractInterfaces(labelled, exterior);
-      lost = FindNodesToSample(indicators, sizes, particles, labelled, exterior);
-    }
-    if (round >= FirstComparison)
-    {
-      adjacency.emplace(labelled.tetrahedra, particles.Size());
-      repair = RepairLinks(indicators, particles.positions, *adjacency, exterior, labelled);
-      TurnFlatTetrahedra(indicators, particles.positions, *adjacency, exterior, labelled);
-    }
-    if (round == lastRound)
-    {
-      break;
-    }
-    if (round >= FirstComparison)
-    {
-      const bool finely = keepTopology && round > SurfaceRounds;
-      differing = FindDifferingSamples(lattice, partition, particles, labelled, *adjacency, exterior, finely);
-    }
-    if (isRelaxed)
-    {
-      RelaxOnSurface(indicators, sizing, interfaces, SurfaceSweeps, round + 1 < SurfaceRounds, particles);
-      MergeCloseParticles(indicators, sizing, particles);
-      RefineSizes(grid, lost, sizes);
-      SeedParticlesAround(indicators, sizing, exteriorIndex, seed, lost, particles);
-    }
-    const double distance =
-      std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, std::max(0, round - SurfaceRounds)));
-    const auto added =
-      SampleFinely(lattice, partition, differing, distance, sizing, exteriorIndex, seed, sizes, particles);
-    if (round > SurfaceRounds && added == 0)
-    {
-      break;
-    }
-  }
-  repair.left = FindLinkDefects(labelled, *adjacency, exterior);
-  report.links.updatedCells = UpdateCells(indicators, labelled, *adjacency, exterior, particles);
-  DescribeLinks(repair, particles, report.links);
-  InterfaceMesh interfaces = ExtractInterfaces(labelled, exterior);
-  report.inconsistentTriangles = FindInconsistentTriangles(indicators, particles, interfaces, exterior);
-  report.unusedParticles = DropUnusedParticles(particles, interfaces);
-  for (std::size_t p = 0; p < particles.Size(); ++p)
-  {
-    ++report.particles[particles.CellOf(p).Dimension()];
-  }
-  return interfaces;
+  SurfaceBuilder builder(indicators, sizing, exteriorIndex, seed, keepTopology, sizes, particles);
+  builder.Build(monitor);
+  return builder.Finish(report);
 }
 } // namespace mmm

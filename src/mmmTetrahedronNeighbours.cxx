@@ -17,60 +17,94 @@
  *=========================================================================*/
 #include "mmmTetrahedronNeighbours.h"
 
+#include "mmmParallel.h"
+#include "mmmTriangleLookup.h"
+
 #include <algorithm>
+#include <tuple>
 
 namespace mmm
 {
-std::vector<std::array<std::uint32_t, 4>>
+namespace
+{
+constexpr std::size_t Grain = 1024;
+
+/** A face by the two larger of its corners, and whose it is. */
+struct Face
+{
+  PointId       middle;
+  PointId       largest;
+  std::uint32_t tetrahedron;
+  int           number;
+
+  bool
+  operator<(const Face & other) const
+  {
+    return std::tie(middle, largest, tetrahedron) < std::tie(other.middle, other.largest, other.tetrahedron);
+  }
+  bool
+  HasCornersOf(const Face & other) const
+  {
+    return middle == other.middle && largest == other.largest;
+  }
+};
+
+/** The faces of a tetrahedron that have `smallest` as their smallest corner. */
+void
+AddFaces(const Tetrahedron & corners, std::uint32_t tetrahedron, PointId smallest, std::vector<Face> & faces)
+{
+  for (int f = 0; f < 4; ++f)
+  {
+    Triangle face = FaceOf(corners, f);
+    std::sort(face.begin(), face.end());
+    if (face[0] == smallest)
+    {
+      faces.push_back({ face[1], face[2], tetrahedron, f });
+    }
+  }
+}
+} // namespace
+
+TetrahedronNeighbours
 ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra)
 {
-  // Faces are chained at their smallest point; a face that is met again is its twin.
-  struct Face
-  {
-    PointId       middle;
-    PointId       largest;
-    std::uint32_t slot; // 4 * tetrahedron + face
-    std::uint32_t next;
-  };
   PointId points = 0;
   for (const auto & t : tetrahedra)
   {
     points = std::max(points, *std::max_element(t.begin(), t.end()) + 1);
   }
-  std::vector<std::uint32_t>                chain(points, NoTetrahedron);
-  std::vector<Face>                         faces(4 * tetrahedra.size());
-  std::vector<std::array<std::uint32_t, 4>> neighbours(
-    tetrahedra.size(), { { NoTetrahedron, NoTetrahedron, NoTetrahedron, NoTetrahedron } });
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
-  {
-    for (int f = 0; f < 4; ++f)
+  return ComputeTetrahedronNeighbours(tetrahedra, points, StarsOfPoints(tetrahedra, points));
+}
+
+TetrahedronNeighbours
+ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra, std::size_t points, const Incidence & stars)
+{
+  TetrahedronNeighbours neighbours(tetrahedra.size(),
+                                   { { NoTetrahedron, NoTetrahedron, NoTetrahedron, NoTetrahedron } });
+  // a face is paired with its twin at their smallest corner
+  ParallelFor(points, Grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Face> faces;
+    for (std::size_t p = begin; p < end; ++p)
     {
-      Triangle corners;
-      for (int c = 0; c < 3; ++c)
+      faces.clear();
+      for (auto t = stars.Begin(p); t != stars.End(p); ++t)
       {
-        corners[c] = tetrahedra[t][TetrahedronFaces[f][c]];
+        AddFaces(tetrahedra[*t], *t, PointId(p), faces);
       }
-      std::sort(corners.begin(), corners.end());
-      const auto      slot = std::uint32_t(4 * t + f);
-      std::uint32_t * link = &chain[corners[0]];
-      while (*link != NoTetrahedron && (faces[*link].middle != corners[1] || faces[*link].largest != corners[2]))
+      std::sort(faces.begin(), faces.end());
+      for (std::size_t f = 1; f < faces.size(); ++f)
       {
-        link = &faces[*link].next;
-      }
-      if (*link == NoTetrahedron)
-      {
-        faces[slot] = { corners[1], corners[2], slot, chain[corners[0]] };
-        chain[corners[0]] = slot;
-      }
-      else
-      {
-        const auto twin = faces[*link].slot;
-        neighbours[t][f] = twin / 4;
-        neighbours[twin / 4][twin % 4] = std::uint32_t(t);
-        *link = faces[*link].next;
+        const Face & one = faces[f - 1];
+        const Face & twin = faces[f];
+        if (one.HasCornersOf(twin))
+        {
+          neighbours[one.tetrahedron][one.number] = twin.tetrahedron;
+          neighbours[twin.tetrahedron][twin.number] = one.tetrahedron;
+          ++f;
+        }
       }
     }
-  }
+  });
   return neighbours;
 }
 } // namespace mmm
