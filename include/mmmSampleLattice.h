@@ -42,7 +42,7 @@ class MultiMaterialMeshing_EXPORT SampleLattice
 public:
   static constexpr std::size_t NotKept = std::size_t(-1);
   /** Where a mesh's interface is this close, in voxels, a sample is on either side of it. */
-  static constexpr double Tolerance = 0.1;
+  static constexpr double UsualTolerance = 0.1;
 
   /** The samples per voxel and axis at which topologies are compared: what is half a voxel wide, as it is where
    * topologies are kept, takes four. */
@@ -116,12 +116,13 @@ public:
   SampledMaterials
   SamplePartition(Material exterior) const;
   /** The partition that a mesh makes; what no tetrahedron fills is `exterior`. A sample from which the material that is
-   * `wanted` there is not further than Tolerance is of that material. */
+   * `wanted` there is not further than `tolerance`, in voxels, is of that material. */
   SampledMaterials
   SampleMesh(const std::vector<Vector> & points,
              const TetrahedralMesh &     mesh,
              Material                    exterior,
-             const SampledMaterials &    wanted) const;
+             const SampledMaterials &    wanted,
+             double                      tolerance = UsualTolerance) const;
 
 private:
   /** Some of the last samples are. */

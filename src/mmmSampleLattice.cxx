@@ -225,7 +225,8 @@ SampledMaterials
 SampleLattice::SampleMesh(const std::vector<Vector> & points,
                           const TetrahedralMesh &     mesh,
                           Material                    exterior,
-                          const SampledMaterials &    wanted) const
+                          const SampledMaterials &    wanted,
+                          double                      tolerance) const
 {
   SampledMaterials  materials(this->NumberOfKept(), exterior);
   std::vector<char> marks(m_Voxels.size(), 1);
@@ -239,7 +240,7 @@ SampleLattice::SampleMesh(const std::vector<Vector> & points,
     marks[place / m_SamplesPerVoxel] |= char(materials[place] != wanted[place]);
   }
   std::vector<std::atomic<bool>> isNear(materials.size());
-  this->VisitSamplesInside(points, mesh, Tolerance * m_Refinement, marks, [&](std::size_t t, std::size_t place) {
+  this->VisitSamplesInside(points, mesh, tolerance * m_Refinement, marks, [&](std::size_t t, std::size_t place) {
     if (mesh.materials[t] == wanted[place] && materials[place] != wanted[place])
     {
       isNear[place].store(true, std::memory_order_relaxed);

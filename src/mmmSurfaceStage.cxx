@@ -43,6 +43,8 @@ constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
+/** They look for differences more closely, see SampleLattice::UsualTolerance. */
+constexpr double CloseTolerance = 0.05;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
@@ -219,6 +221,7 @@ public:
     , m_Exterior(Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials()))
     , m_Seed(seed)
     , m_MendingRounds(keepTopology ? MendingRounds : 0)
+    , m_Tolerance(keepTopology ? CloseTolerance : SampleLattice::UsualTolerance)
     , m_Lattice(indicators, SampleLattice::RefinementFor(keepTopology))
     , m_Partition(m_Lattice.SamplePartition(m_Exterior))
     , m_Sizes(sizes)
@@ -325,7 +328,9 @@ private:
   {
     std::vector<Index> samples;
     for (const auto & difference : FindTopologyDifferences(
-           m_Lattice, m_Partition, m_Lattice.SampleMesh(m_Particles.positions, m_Labelled, m_Exterior, m_Partition)))
+           m_Lattice,
+           m_Partition,
+           m_Lattice.SampleMesh(m_Particles.positions, m_Labelled, m_Exterior, m_Partition, m_Tolerance)))
     {
       for (const auto place : difference.samples)
       {
@@ -366,6 +371,7 @@ private:
   const Material                      m_Exterior;
   const std::uint64_t                 m_Seed;
   const int                           m_MendingRounds;
+  const double                        m_Tolerance;
   const SampleLattice                 m_Lattice;
   const SampledMaterials              m_Partition;
   std::vector<float> &                m_Sizes;
