@@ -25,8 +25,7 @@
 namespace mmm
 {
 /** \brief Gives particles the cell of the materials that meet at them in a labelled mesh, where that is another one and
- * lies nearby, and moves them there; not where that would turn a tetrahedron inside out. What lies beyond the mesh has
- * the material `outside`. Returns how many changed.
+ * lies nearby. Particles do not move. What lies beyond the mesh has the material `outside`. Returns how many changed.
  */
 MultiMaterialMeshing_EXPORT std::size_t
                             UpdateCells(const IndicatorSet &         indicators,

@@ -83,7 +83,8 @@ struct MeshingReport
   OptimizationReport optimization;
   /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
-  /** Of the particles that the surface was made of, and where the optimizer left them. */
+  /** Of the particles that the surface was made of, against the cells that they were relaxed on; and where the optimizer
+   * left them, against the cells of the materials that meet at them in the mesh. */
   ResidualReports residualsOfParticles;
   ResidualReports residualsInTheEnd;
 };

@@ -19,8 +19,7 @@
 
 #include "mmmCellNumbers.h"
 #include "mmmLinkInspector.h"
-#include "mmmParallelCollect.h"
-#include "mmmTetrahedronQuality.h"
+#include "mmmParallel.h"
 
 #include <algorithm>
 
@@ -32,53 +31,22 @@ constexpr std::size_t ParticlesPerRange = 4096;
 /** How far a cell may be from a particle, in units of the smallest voxel spacing. */
 constexpr double Reach = 0.5;
 
-/** Another cell for a particle, and where on it. */
-struct CellChange
-{
-  PointId particle;
-  Cell    cell;
-  Vector  position;
-};
-
-/** Whether some materials have a cell near a particle other than its own one. */
-bool
-FindOtherCell(const IndicatorSet &          indicators,
-              const std::vector<Material> & materials,
-              const Cell &                  own,
-              CellChange &                  change)
+/** The cell of some materials, or the particle's own one where that is not near. */
+Cell
+CellOfMaterials(const IndicatorSet & indicators, const std::vector<Material> & materials, const Cell & own, Vector x)
 {
   const auto isPlane = [&](Material m) { return indicators.IsPlane(m); };
   if (materials.size() < 2 || materials.size() > 4 || std::any_of(materials.begin(), materials.end(), isPlane) ||
       std::any_of(own.begin(), own.end(), isPlane))
   {
-    return false;
+    return own;
   }
+  Cell cell;
   for (const Material m : materials)
   {
-    change.cell.Join(Cell{ m });
+    cell.Join(Cell{ m });
   }
-  return change.cell != own && indicators.ProjectWhereMaximal(change.cell, change.position, Reach);
-}
-
-/** Moves a particle, unless that turns a tetrahedron inside out. */
-bool
-Move(const TetrahedralMesh & mesh,
-     const Incidence &       stars,
-     PointId                 p,
-     const Vector &          to,
-     std::vector<Vector> &   positions)
-{
-  const Vector from = positions[p];
-  positions[p] = to;
-  const bool isValid = std::all_of(stars.Begin(p), stars.End(p), [&](std::uint32_t t) {
-    const auto & c = mesh.tetrahedra[t];
-    return TetrahedronVolume(positions[c[0]], positions[c[1]], positions[c[2]], positions[c[3]]) > 0.0;
-  });
-  if (!isValid)
-  {
-    positions[p] = from;
-  }
-  return isValid;
+  return cell != own && indicators.ProjectWhereMaximal(cell, x, Reach) ? cell : own;
 }
 } // namespace
 
@@ -89,23 +57,22 @@ UpdateCells(const IndicatorSet &         indicators,
             Material                     outside,
             ParticleSet &                particles)
 {
-  const auto changes = ParallelCollect<CellChange>(
-    particles.Size(), ParticlesPerRange, [&](std::size_t p, std::vector<CellChange> & found) {
-      LinkInspector inspector(mesh, adjacency, outside);
+  std::vector<Cell> cells(particles.Size());
+  ParallelFor(cells.size(), ParticlesPerRange, [&](std::size_t begin, std::size_t end) {
+    LinkInspector inspector(mesh, adjacency, outside);
+    for (std::size_t p = begin; p < end; ++p)
+    {
       inspector.Inspect(PointId(p));
-      CellChange change{ PointId(p), Cell(), particles.positions[p] };
-      if (FindOtherCell(indicators, inspector.Materials(), particles.CellOf(p), change))
-      {
-        found.push_back(change);
-      }
-    });
+      cells[p] = CellOfMaterials(indicators, inspector.Materials(), particles.CellOf(p), particles.positions[p]);
+    }
+  });
   CellNumbers numbers(particles.cellTable);
   std::size_t changed = 0;
-  for (const CellChange & change : changes)
+  for (std::size_t p = 0; p < cells.size(); ++p)
   {
-    if (Move(mesh, adjacency.stars, change.particle, change.position, particles.positions))
+    if (cells[p] != particles.CellOf(p))
     {
-      particles.cells[change.particle] = numbers(change.cell);
+      particles.cells[p] = numbers(cells[p]);
       ++changed;
     }
   }

@@ -201,7 +201,6 @@ BuildMesh(const IndicatorSet &      indicators,
                                    particles,
                                    monitor,
                                    report);
-  report.residualsOfParticles = MeasureResiduals(indicators, particles);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);

@@ -32,6 +32,30 @@ constexpr double SheetDistance = 0.35;
 /** junctions below this, and points of different sheets below this, in units of the smallest voxel spacing. */
 constexpr double JunctionDistance = 0.3;
 constexpr double LayerDistance = 0.15;
+
+/** Moves particles that were joined onto the cell of all their materials, unless that brings them close to others.
+ * `bins` has the positions from before. */
+void
+MoveOntoCells(const IndicatorSet &               indicators,
+              const PointBins &                  bins,
+              const std::vector<std::uint32_t> & joined,
+              const std::vector<char> &          kept,
+              ParticleSet &                      particles)
+{
+  auto & positions = particles.positions;
+  for (const auto p : joined)
+  {
+    Vector x = positions[p];
+    bool   isFree = indicators.ProjectWhereMaximal(particles.CellOf(p), x, JunctionDistance);
+    if (isFree)
+    {
+      bins.Visit(x, JunctionDistance + LayerDistance, [&](std::uint32_t q) {
+        isFree = isFree && (q == p || !kept[q] || (positions[q] - x).norm() > LayerDistance);
+      });
+    }
+    positions[p] = isFree ? x : positions[p];
+  }
+}
 } // namespace
 
 std::size_t
@@ -43,9 +67,10 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return particles.CellOf(a).count > particles.CellOf(b).count;
   });
-  CellNumbers       numbers(particles.cellTable);
-  PointBins         bins(indicators.GetGrid(), 2.0);
-  std::vector<char> kept(count, 0);
+  CellNumbers                numbers(particles.cellTable);
+  PointBins                  bins(indicators.GetGrid(), 2.0);
+  std::vector<char>          kept(count, 0);
+  std::vector<std::uint32_t> joined;
   bins.Assign(particles.positions);
   for (const auto p : order)
   {
@@ -81,15 +106,12 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       if (joint.Join(particles.CellOf(p)))
       {
         particles.cells[nearest] = numbers(joint);
-        Vector place = particles.positions[nearest];
-        if (indicators.ProjectWhereMaximal(joint, place, JunctionDistance))
-        {
-          particles.positions[nearest] = place;
-        }
+        joined.push_back(nearest);
         kept[p] = 0;
       }
     }
   }
+  MoveOntoCells(indicators, bins, joined, kept, particles);
   return particles.Keep(kept);
 }
 } // namespace mmm

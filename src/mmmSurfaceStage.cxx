@@ -254,6 +254,7 @@ public:
   InterfaceMesh
   Finish(MeshingReport & report)
   {
+    report.residualsOfParticles = MeasureResiduals(m_Indicators, m_Particles);
     m_Repair.left = FindLinkDefects(m_Labelled, *m_Adjacency, m_Exterior);
     report.links.updatedCells = UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, m_Particles);
     DescribeLinks(m_Repair, m_Particles, report.links);
