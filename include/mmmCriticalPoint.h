@@ -27,10 +27,10 @@ namespace mmm
  * of a gap or of a thin sheet. The topology of an interface changes at such points only.
  *
  * Newton's method; directions in which the difference hardly bends, as along a sheet, are left out. Returns false where
- * it does not converge within `reach` of the start along each axis, or where the difference is steep at the start, as
- * it is at interfaces with nothing near. */
+ * it does not converge within `reach` of the start, in voxels along each axis, where the difference is steep at the
+ * start, as it is at interfaces with nothing near, and beyond the nodes at the border. */
 MultiMaterialMeshing_EXPORT bool
-FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, const Vector & reach, Vector & x);
+FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, double reach, Vector & x);
 } // namespace mmm
 
 #endif

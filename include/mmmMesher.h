@@ -83,10 +83,11 @@ struct MeshingReport
   OptimizationReport optimization;
   /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
-  /** Of the particles that the surface was made of, against the cells that they were relaxed on; and where the optimizer
-   * left them, against the cells of the materials that meet at them in the mesh. */
+  /** Of the particles between which the surface was found, against the cells that they were put on. */
   ResidualReports residualsOfParticles;
-  ResidualReports residualsInTheEnd;
+  /** Where the optimizer left those that the surface uses, against the cells of the materials that meet at them in the
+   * mesh, before volumes are balanced. Where there was nothing to optimize, the same particles as they were. */
+  ResidualReports residualsAfterOptimization;
 };
 
 /** Points are in the frame of Grid; `exterior` stands for what is not meshed in `interfaces`. */

@@ -37,8 +37,8 @@ namespace mmm
  * - Where two neighbouring samples of different materials interrupt a third one, whose indicator is less than half a
  *   voxel lower between them, the third one is raised and comes between them: small holes in thin sheets close. With
  *   `keepContacts`, those become half a voxel wide instead at which voxels of the two materials share a face; they take
- *   small triangles. What is narrow between samples is then found, too, by its middle, see FindCriticalPoint(): the
- *   material that leads there gets half a voxel's lead.
+ *   small triangles. With `keepContacts`, what is narrow between samples is found, too, by its middle, see
+ *   FindCriticalPoint(): the material that leads there gets half a voxel's lead at least.
  *
  * `indicators` are blocks of the grid, one a material. Each node keeps its material. */
 MultiMaterialMeshing_EXPORT void

@@ -41,7 +41,8 @@ class MultiMaterialMeshing_EXPORT SampleLattice
 {
 public:
   static constexpr std::size_t NotKept = std::size_t(-1);
-  /** Where a mesh's interface is this close, in voxels, a sample is on either side of it. */
+  /** Where a mesh's interface is this close, in voxels, a sample is on either side of it, unless SampleMesh() is told
+   * another distance. */
   static constexpr double UsualTolerance = 0.1;
 
   /** The samples per voxel and axis at which topologies are compared: what is half a voxel wide, as it is where

@@ -27,36 +27,60 @@ namespace
 constexpr double SteepStart = 1.6;
 constexpr double Converged = 0.02;
 constexpr double Tolerated = 0.1;
-/** Second derivatives below this, per voxel, are none. */
+/** In voxels, along each axis, as are the steps: a curvature below this is none. */
 constexpr double LeastBend = 0.1;
-constexpr int    MaximumSteps = 6;
 constexpr double LongestStep = 0.25;
 constexpr double DifferenceStep = 0.05;
+constexpr int    MaximumSteps = 6;
 
-Vector
-GradientOfDifference(const IndicatorSet & indicators, Material a, Material b, const Vector & x)
+/** How much one material leads another one, as a function of places in voxels. */
+class Lead
 {
-  Vector first;
-  Vector second;
-  indicators.ValueAndGradient(a, x, first);
-  indicators.ValueAndGradient(b, x, second);
-  return first - second;
-}
+public:
+  Lead(const IndicatorSet & indicators, Material a, Material b)
+    : m_Indicators(indicators)
+    , m_A(a)
+    , m_B(b)
+  {}
 
-/** By central differences of gradients. */
-Eigen::Matrix3d
-HessianOfDifference(const IndicatorSet & indicators, Material a, Material b, const Vector & x)
-{
-  Eigen::Matrix3d hessian;
-  for (int axis = 0; axis < 3; ++axis)
+  Vector
+  GradientInVoxels(const Vector & at) const
   {
-    const Vector step = DifferenceStep * Vector::Unit(axis);
-    hessian.col(axis) =
-      (GradientOfDifference(indicators, a, b, x + step) - GradientOfDifference(indicators, a, b, x - step)) /
-      (2.0 * DifferenceStep);
+    const Vector & spacing = m_Indicators.GetGrid().spacing;
+    const Vector   x = at.cwiseProduct(spacing);
+    Vector         first;
+    Vector         second;
+    m_Indicators.ValueAndGradient(m_A, x, first);
+    m_Indicators.ValueAndGradient(m_B, x, second);
+    return (first - second).cwiseProduct(spacing);
   }
-  return 0.5 * (hessian + hessian.transpose());
-}
+
+  /** What a gradient is in space. */
+  double
+  Steepness(const Vector & gradientInVoxels) const
+  {
+    return gradientInVoxels.cwiseQuotient(m_Indicators.GetGrid().spacing).norm();
+  }
+
+  /** By central differences of gradients. */
+  Eigen::Matrix3d
+  HessianInVoxels(const Vector & at) const
+  {
+    Eigen::Matrix3d hessian;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector step = DifferenceStep * Vector::Unit(axis);
+      hessian.col(axis) =
+        (this->GradientInVoxels(at + step) - this->GradientInVoxels(at - step)) / (2.0 * DifferenceStep);
+    }
+    return 0.5 * (hessian + hessian.transpose());
+  }
+
+private:
+  const IndicatorSet & m_Indicators;
+  const Material       m_A;
+  const Material       m_B;
+};
 
 /** To where a quadratic function has no gradient, along the axes in which it bends. */
 Vector
@@ -76,26 +100,37 @@ NewtonStep(const Vector & gradient, const Eigen::Matrix3d & hessian)
   const double length = step.norm();
   return length > LongestStep ? Vector(step * (LongestStep / length)) : step;
 }
+
+/** Beyond the nodes at the border indicators are constant across it. */
+bool
+IsBetweenNodes(const Grid & grid, const Vector & at)
+{
+  return at.minCoeff() > 0.0 && at[0] < grid.size[0] - 1 && at[1] < grid.size[1] - 1 && at[2] < grid.size[2] - 1;
+}
 } // namespace
 
 bool
-FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, const Vector & reach, Vector & x)
+FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, double reach, Vector & x)
 {
-  const Vector start = x;
-  Vector       gradient = GradientOfDifference(indicators, a, b, x);
-  if (gradient.norm() > SteepStart)
+  const Grid & grid = indicators.GetGrid();
+  const Lead   lead(indicators, a, b);
+  const Vector start = x.cwiseQuotient(grid.spacing);
+  Vector       at = start;
+  Vector       gradient = lead.GradientInVoxels(at);
+  if (!IsBetweenNodes(grid, at) || lead.Steepness(gradient) > SteepStart)
   {
     return false;
   }
-  for (int n = 0; n < MaximumSteps && gradient.norm() > Converged; ++n)
+  for (int n = 0; n < MaximumSteps && lead.Steepness(gradient) > Converged; ++n)
   {
-    x += NewtonStep(gradient, HessianOfDifference(indicators, a, b, x));
-    if (((x - start).cwiseAbs() - reach).maxCoeff() > 0.0)
+    at += NewtonStep(gradient, lead.HessianInVoxels(at));
+    if ((at - start).cwiseAbs().maxCoeff() > reach || !IsBetweenNodes(grid, at))
     {
       return false;
     }
-    gradient = GradientOfDifference(indicators, a, b, x);
+    gradient = lead.GradientInVoxels(at);
   }
-  return gradient.norm() < Tolerated;
+  x = at.cwiseProduct(grid.spacing);
+  return lead.Steepness(gradient) < Tolerated;
 }
 } // namespace mmm

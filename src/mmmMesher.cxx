@@ -153,7 +153,7 @@ DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Mat
   result.junctions = ExtractJunctions(
     result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
   result.report.sampling = MeasureSampling(sizing, result.interfaces, result.points);
-  result.report.residualsInTheEnd = MeasureResiduals(indicators, result.particles);
+  result.report.residualsAfterOptimization = MeasureResiduals(indicators, result.particles);
 }
 } // namespace
 

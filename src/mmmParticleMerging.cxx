@@ -36,17 +36,17 @@ constexpr double LayerDistance = 0.15;
 /** Moves particles that were joined onto the cell of all their materials, unless that brings them close to others.
  * `bins` has the positions from before. */
 void
-MoveOntoCells(const IndicatorSet &               indicators,
-              const PointBins &                  bins,
-              const std::vector<std::uint32_t> & joined,
-              const std::vector<char> &          kept,
-              ParticleSet &                      particles)
+MoveOntoCells(const IndicatorSet &      indicators,
+              const PointBins &         bins,
+              const std::vector<char> & isJoined,
+              const std::vector<char> & kept,
+              ParticleSet &             particles)
 {
   auto & positions = particles.positions;
-  for (const auto p : joined)
+  for (std::uint32_t p = 0; p < positions.size(); ++p)
   {
     Vector x = positions[p];
-    bool   isFree = indicators.ProjectWhereMaximal(particles.CellOf(p), x, JunctionDistance);
+    bool   isFree = isJoined[p] && indicators.ProjectWhereMaximal(particles.CellOf(p), x, JunctionDistance);
     if (isFree)
     {
       bins.Visit(x, JunctionDistance + LayerDistance, [&](std::uint32_t q) {
@@ -67,10 +67,10 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return particles.CellOf(a).count > particles.CellOf(b).count;
   });
-  CellNumbers                numbers(particles.cellTable);
-  PointBins                  bins(indicators.GetGrid(), 2.0);
-  std::vector<char>          kept(count, 0);
-  std::vector<std::uint32_t> joined;
+  CellNumbers       numbers(particles.cellTable);
+  PointBins         bins(indicators.GetGrid(), 2.0);
+  std::vector<char> kept(count, 0);
+  std::vector<char> isJoined(count, 0);
   bins.Assign(particles.positions);
   for (const auto p : order)
   {
@@ -106,12 +106,12 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       if (joint.Join(particles.CellOf(p)))
       {
         particles.cells[nearest] = numbers(joint);
-        joined.push_back(nearest);
+        isJoined[nearest] = 1;
         kept[p] = 0;
       }
     }
   }
-  MoveOntoCells(indicators, bins, joined, kept, particles);
+  MoveOntoCells(indicators, bins, isJoined, kept, particles);
   return particles.Keep(kept);
 }
 } // namespace mmm

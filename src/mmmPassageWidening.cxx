@@ -27,8 +27,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
-#include <unordered_map>
+#include <tuple>
 
 namespace mmm
 {
@@ -240,11 +241,11 @@ private:
   bool
   FindBalance(const WeakSample & weak, Balance & balance) const
   {
-    // what is nearer to another sample is found from there
+    // what is nearer to another sample is found from there; in voxels
     constexpr double Reach = 0.7 / Refinement;
     const Material   own = m_Materials[weak.place];
     Vector           x = m_Lattice.Position(m_Lattice.SampleAt(weak.place));
-    if (!FindCriticalPoint(m_Indicators, own, weak.second, Reach * m_Grid.spacing, x))
+    if (!FindCriticalPoint(m_Indicators, own, weak.second, Reach, x))
     {
       return false;
     }
@@ -255,28 +256,28 @@ private:
     return balance.lead < PassageLead && m_Indicators.MaterialAt(x) == balance.leader;
   }
 
-  /** Tips the balances: the one that leads gets its lead, unless the other one has got it at a neighbour that comes
-   * earlier. */
+  /** Tips the balances: the one that leads gets its lead at least, half of it from the other one, unless that one has
+   * got it at a neighbour that comes earlier. */
   void
-  TipBalances(std::vector<Balance> balances, std::vector<Raise> & raises) const
+  TipBalances(const std::vector<Balance> & balances, std::vector<Raise> & raises) const
   {
-    std::unordered_map<std::size_t, const Balance *> tipped;
-    for (Balance & balance : balances)
+    // the leaders at nodes, by the node and the two materials
+    std::map<std::tuple<std::size_t, Material, Material>, Material> leaders;
+    for (const Balance & balance : balances)
     {
-      bool isLost = false;
+      const auto pair = std::minmax(balance.leader, balance.other);
+      bool       isLost = false;
       balance.nodes.Visit([&](const Index & node) {
-        const auto at = tipped.find(m_Grid.Offset(node));
-        isLost =
-          isLost || (at != tipped.end() && at->second->leader == balance.other && at->second->other == balance.leader);
+        const auto at = leaders.find({ m_Grid.Offset(node), pair.first, pair.second });
+        isLost = isLost || (at != leaders.end() && at->second == balance.other);
       });
-      if (isLost)
-      {
-        std::swap(balance.leader, balance.other);
-        balance.lead = -balance.lead;
-      }
+      const Material leader = isLost ? balance.other : balance.leader;
+      const Material other = isLost ? balance.leader : balance.other;
+      const float    amount = 0.5f * (isLost ? PassageLead + balance.lead : PassageLead - balance.lead);
       balance.nodes.Visit([&](const Index & node) {
-        tipped.insert({ m_Grid.Offset(node), &balance });
-        raises.push_back({ m_Grid.Offset(node), balance.leader, PassageLead - balance.lead });
+        leaders.insert({ { m_Grid.Offset(node), pair.first, pair.second }, leader });
+        raises.push_back({ m_Grid.Offset(node), leader, amount });
+        raises.push_back({ m_Grid.Offset(node), other, -amount });
       });
     }
   }

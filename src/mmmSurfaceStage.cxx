@@ -43,7 +43,7 @@ constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
-/** They look for differences more closely, see SampleLattice::UsualTolerance. */
+/** Then, differences are looked for more closely, see SampleLattice::UsualTolerance. */
 constexpr double CloseTolerance = 0.05;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */

@@ -39,20 +39,30 @@ TEST(CriticalPoint, IsTheMiddleOfAGap)
 {
   const auto scene = MakeGap();
   Vector     x(12.15, 7.2, 6.9);
-  ASSERT_TRUE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, Vector::Constant(0.35), x));
+  ASSERT_TRUE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, 0.35, x));
   EXPECT_LT((x - Vector(12.0, 7.0, 7.0)).norm(), 0.02);
+}
+
+TEST(CriticalPoint, IsFoundAcrossLongVoxels)
+{
+  // two slabs of material 1 with a gap of a slice between them
+  const mmmtest::Scene scene(mmmtest::MakeMaterials(
+    { { 9, 9, 9 } }, Vector(1, 1, 5), 2, [](const Vector & x) { return std::abs(x[2] - 20.0) > 4.0; }));
+  Vector               x(4.0, 4.0, 20.0 + 0.15 * 5);
+  ASSERT_TRUE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, 0.35, x));
+  EXPECT_LT(std::abs(x[2] - 20.0), 0.1);
 }
 
 TEST(CriticalPoint, IsNotLookedForBeyondReach)
 {
   const auto scene = MakeGap();
   Vector     x(12.15, 7.2, 6.9);
-  EXPECT_FALSE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, Vector::Constant(0.1), x));
+  EXPECT_FALSE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, 0.1, x));
 }
 
 TEST(CriticalPoint, IsNotFoundOnASmoothInterface)
 {
   const auto scene = MakeGap();
   Vector     x(6.5, 2.0, 7.0);
-  EXPECT_FALSE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, Vector::Constant(0.35), x));
+  EXPECT_FALSE(mmm::FindCriticalPoint(*scene.indicators, 0, 1, 0.35, x));
 }

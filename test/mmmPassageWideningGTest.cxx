@@ -90,8 +90,7 @@ CountNarrow(const mmm::IndicatorSet & indicators)
   for (std::size_t place = 0; place < lattice.NumberOfKept(); ++place)
   {
     Vector x = lattice.Position(lattice.SampleAt(place));
-    count += mmm::FindCriticalPoint(indicators, 0, 1, Vector::Constant(0.2), x) &&
-             std::abs(indicators.InsideOutside(1, x)) < 0.2;
+    count += mmm::FindCriticalPoint(indicators, 0, 1, 0.2, x) && std::abs(indicators.InsideOutside(1, x)) < 0.2;
   }
   return count;
 }

@@ -110,7 +110,7 @@ TEST(Sampling, OfAMeshIsNearWhatWasAskedFor)
     for (int dimension = 1; dimension <= 2; ++dimension)
     {
       EXPECT_LT(report.residualsOfParticles[dimension].maximum, mmm::ResidualReport::Largest);
-      EXPECT_LT(report.residualsInTheEnd[dimension].percentile99, mmm::ResidualReport::Largest);
+      EXPECT_LT(report.residualsAfterOptimization[dimension].percentile99, mmm::ResidualReport::Largest);
     }
   }
 }

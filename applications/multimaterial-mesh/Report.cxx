@@ -257,7 +257,7 @@ SamplingSection(const mmm::MeshingReport & report)
                { "share_from_0.6_to_1.6", Number(sampling.nearShare) } } },
            { "residuals_in_voxels",
              { { "of_particles", ResidualSection(report.residualsOfParticles) },
-               { "in_the_end", ResidualSection(report.residualsInTheEnd) } } } };
+               { "after_optimization", ResidualSection(report.residualsAfterOptimization) } } } };
 }
 
 Json
