@@ -249,6 +249,27 @@ TEST(LabelImageToIndicatorImagesFilter, SameForAnyNumberOfThreads)
   }
 }
 
+TEST(LabelImageToIndicatorImagesFilter, SameForAnyNumberOfThreadsWhereContactsAreKept)
+{
+  // layers of two labels that are narrow everywhere
+  const auto image = mmmtest::MakeImage<LabelImage>(
+    20, 20, 20, [](int i, int j, int k) { return 1 + (std::sin(0.9 * i) + std::sin(0.8 * j + 0.9 * k) > 0.0); });
+  std::vector<float> first;
+  for (const itk::ThreadIdType threads : { 1, 2, 4 })
+  {
+    const mmmtest::ThreadCount count(threads);
+    const auto                 filter = MakeFilter(image);
+    filter->KeepContactsOn();
+    filter->Update();
+    const auto values = ValuesOf(filter->GetOutputForLabel(2));
+    if (first.empty())
+    {
+      first = values;
+    }
+    EXPECT_EQ(values, first) << threads;
+  }
+}
+
 TEST(LabelImageToIndicatorImagesFilter, ThrowsOnASingleValue)
 {
   const auto filter = MakeFilter(mmmtest::MakeImage<LabelImage>(6, 6, 6, [](int, int, int) { return 7; }));
