@@ -19,6 +19,7 @@
 #include "mmmDisjointSets.h"
 #include "mmmIncidence.h"
 #include "mmmParallel.h"
+#include "mmmTetrahedronNeighbours.h"
 
 #include <stdexcept>
 #include <string>
@@ -94,8 +95,7 @@ public:
   Build(bool withBettiNumbers)
   {
     {
-      const Incidence atPoints(
-        m_Points.size(), m_Tetrahedra.size(), [this](std::size_t t) -> const Tetrahedron & { return m_Tetrahedra[t]; });
+      const Incidence atPoints = StarsOfPoints(m_Tetrahedra, m_Points.size());
       this->PairFaces(atPoints);
       if (withBettiNumbers)
       {

@@ -19,6 +19,7 @@
 
 #include "mmmParallel.h"
 #include "mmmShapeQuality.h"
+#include "mmmTetrahedronNeighbours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,7 @@ MovablePoints::MovablePoints(const InterfaceConstraint &    constraint,
   , m_Complex(complex)
   , m_Tetrahedra(complex.Tetrahedra())
   , m_Materials(complex.Materials())
-  , m_Star(points.size(), m_Tetrahedra.size(), [&](std::size_t t) -> const Tetrahedron & { return m_Tetrahedra[t]; })
+  , m_Star(StarsOfPoints(m_Tetrahedra, points.size()))
 {
   this->ClassifyPoints();
   this->ColourPoints();

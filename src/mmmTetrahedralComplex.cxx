@@ -18,6 +18,7 @@
 #include "mmmTetrahedralComplex.h"
 
 #include "mmmTetrahedronNeighbours.h"
+#include "mmmTriangleLookup.h"
 
 #include <algorithm>
 
@@ -29,18 +30,6 @@ int
 CornerOf(const Tetrahedron & corners, PointId point)
 {
   return int(std::find(corners.begin(), corners.end(), point) - corners.begin());
-}
-
-Triangle
-SortedFace(const Tetrahedron & corners, int face)
-{
-  Triangle triangle;
-  for (int c = 0; c < 3; ++c)
-  {
-    triangle[c] = corners[TetrahedronFaces[face][c]];
-  }
-  std::sort(triangle.begin(), triangle.end());
-  return triangle;
 }
 } // namespace
 
@@ -177,7 +166,7 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
           other == NoTetrahedron
             ? 0
             : int(std::find(m_Neighbours[other].begin(), m_Neighbours[other].end(), t) - m_Neighbours[other].begin());
-        open.push_back({ SortedFace(m_Corners[t], f), other, number });
+        open.push_back({ SortedFaceOf(m_Corners[t], f), other, number });
       }
     }
   }
@@ -224,7 +213,7 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
     m_Alive[t] = 1;
     for (int f = 0; f < 4; ++f)
     {
-      const Triangle face = SortedFace(element.corners, f);
+      const Triangle face = SortedFaceOf(element.corners, f);
       const auto     twin = std::find_if(open.begin(), open.end(), [&](const Open & o) { return o.face == face; });
       if (twin == open.end())
       {

@@ -55,8 +55,7 @@ AddFaces(const Tetrahedron & corners, std::uint32_t tetrahedron, PointId smalles
 {
   for (int f = 0; f < 4; ++f)
   {
-    Triangle face = FaceOf(corners, f);
-    std::sort(face.begin(), face.end());
+    const Triangle face = SortedFaceOf(corners, f);
     if (face[0] == smallest)
     {
       faces.push_back({ face[1], face[2], tetrahedron, f });

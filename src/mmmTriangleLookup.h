@@ -81,6 +81,15 @@ FaceOf(const Tetrahedron & corners, int face)
   const auto & numbers = TetrahedronFaces[face];
   return { { corners[numbers[0]], corners[numbers[1]], corners[numbers[2]] } };
 }
+
+/** The same corners, ascending. */
+inline Triangle
+SortedFaceOf(const Tetrahedron & corners, int face)
+{
+  Triangle triangle = FaceOf(corners, face);
+  std::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
 } // namespace mmm
 
 #endif
