@@ -20,11 +20,11 @@
 #include "mmmConformingDelaunay.h"
 #include "mmmEnclosure.h"
 #include "mmmIndicatorConstraint.h"
+#include "mmmInterfaceFit.h"
 #include "mmmInteriorParticles.h"
 #include "mmmMeshOptimizer.h"
 #include "mmmSurfaceStage.h"
 #include "mmmTetGen.h"
-#include "mmmVolumeBalance.h"
 
 #include "itkMacro.h"
 
@@ -250,7 +250,7 @@ BuildMesh(const IndicatorSet &      indicators,
     parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
   report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
-  BalanceVolumes(indicators, constraint, exterior, optimization, complex, result.points);
+  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points);
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
   if (parameters.compareTopology)

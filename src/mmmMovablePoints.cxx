@@ -260,6 +260,17 @@ MovablePoints::WorstTriangleAround(PointId p, const Vector & x) const
   return worst;
 }
 
+Vector
+MovablePoints::SearchDirection(int number)
+{
+  if (number < 6)
+  {
+    return Vector::Unit(number / 2) * (number % 2 ? 1.0 : -1.0);
+  }
+  const int bits = number - 6;
+  return Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
+}
+
 bool
 MovablePoints::Admit(PointId p, Vector & x, double slack) const
 {

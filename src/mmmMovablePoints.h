@@ -51,6 +51,10 @@ public:
                 const TetrahedralComplex &     complex);
 
 protected:
+  /** The axes, then the diagonals. */
+  static constexpr int SearchDirections = 14;
+  static Vector
+  SearchDirection(int number);
   bool
   IsExterior(std::uint32_t t) const
   {

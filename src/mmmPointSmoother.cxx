@@ -49,25 +49,13 @@ constexpr double AngleToLeaveCell = 20.0;
 constexpr double NegligibleDistance = 1e-3;
 /** Triangles keep this radius ratio when points return to their cells. */
 constexpr double TriangleToKeep = 0.5;
-
-/** The axes, then the diagonals. */
-constexpr int SearchDirections = 14;
-Vector
-SearchDirection(int number)
-{
-  if (number < 6)
-  {
-    return Vector::Unit(number / 2) * (number % 2 ? 1.0 : -1.0);
-  }
-  const int bits = number - 6;
-  return Vector(bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1) / std::sqrt(3.0);
-}
 } // namespace
 
 std::size_t
 PointSmoother::SmoothAll()
 {
-  return this->MoveByColour([this](PointId p) { return this->MoveUphillOnAverage(p); });
+  return this->MoveByColour(
+    [this](PointId p) { return this->MoveUphillOnAverage(p, [&](Vector & x) { return this->Admit(p, x, 0.0); }); });
 }
 
 std::size_t
@@ -221,9 +209,10 @@ PointSmoother::TotalAround(PointId p, const Vector & x) const
   return total;
 }
 
-/** A step uphill in what TotalAround() gives. Where the worst tetrahedron around is good, it may lose a little. */
+/** A step uphill in what TotalAround() gives, to a place that `admit` lets pass, or changes. Where the worst
+ * tetrahedron around is good, it may lose a little. */
 bool
-PointSmoother::MoveUphillOnAverage(PointId p)
+PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)> & admit)
 {
   if (m_Freedom[p] == Freedom::NearInterfaces)
   {
@@ -256,7 +245,7 @@ PointSmoother::MoveUphillOnAverage(PointId p)
   for (double step = 0.16; step > 0.015; step *= 0.5)
   {
     Vector x = from + gradient * (step * shortest / length);
-    if (this->Admit(p, x, 0.0) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
+    if (admit(x) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
     {
       m_Points[p] = x;
       return true;

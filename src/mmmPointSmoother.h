@@ -18,13 +18,12 @@
 #ifndef mmmPointSmoother_h
 #define mmmPointSmoother_h
 
-#include "mmmIndicatorSet.h"
 #include "mmmMovablePoints.h"
 
 namespace mmm
 {
 /** \brief Moves points so that the worst tetrahedron around each gets better, or the worst triangle of an interface. */
-class PointSmoother : private MovablePoints
+class PointSmoother : protected MovablePoints
 {
 public:
   using MovablePoints::MovablePoints;
@@ -47,10 +46,10 @@ public:
    * better. */
   std::size_t
   SmoothJointly();
-  /** Moves the points of curved surfaces off their cell, so that the flat triangles between them lie on both sides of
-   * the zero set in equal parts: with all corners on it, convex materials lose volume. Returns the number of moves. */
-  std::size_t
-  BalanceVolumes(const IndicatorSet & indicators);
+
+protected:
+  bool
+  MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)> & admit);
 
 private:
   Vector
@@ -62,8 +61,6 @@ private:
   double
   TotalAround(PointId p, const Vector & x) const;
   bool
-  MoveUphillOnAverage(PointId p);
-  bool
   MoveUphill(PointId p, double quality, double tolerance);
   bool
   MoveToCell(PointId p);
@@ -74,8 +71,6 @@ private:
   SearchForTriangles(PointId p, const TAlong & along, const TAdmit & admit, double & worst);
   bool
   TryMove(PointId p, const Vector & target, double slack, double & worst);
-  double
-  MeanGap(const IndicatorSet & indicators, PointId p) const;
   struct Worth
   {
     double triangle;

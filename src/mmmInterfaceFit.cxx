@@ -1,0 +1,364 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmInterfaceFit.h"
+
+#include "mmmParallel.h"
+#include "mmmPointSmoother.h"
+#include "mmmTetrahedronRaster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mmm
+{
+namespace
+{
+constexpr std::size_t Grain = 1024;
+constexpr int         BalancePasses = 2;
+/** Nothing moves further than this in one pass of the balance, in units of the smallest voxel spacing. */
+constexpr double LongestMove = 0.3;
+constexpr int    CentrePasses = 3;
+/** Towards voxel centres, points move by this, and by half and a quarter of it. */
+constexpr double CentreStep = 0.2;
+constexpr double ShortestCentreStep = 0.04;
+/** A gain in depth that is not worth a move. */
+constexpr double NegligibleDepth = 1e-6;
+/** Where more centres than this are around a point, elements are so coarse that centres are no measure for them. */
+constexpr std::size_t MostCentres = 100;
+/** Points that did not leave their cell may do so by this when they make room. */
+constexpr double NegligibleDistance = 0.02;
+/** The distance to a cell that is nowhere near. */
+constexpr double Nowhere = 1e300;
+/** Centres on a face belong to both tetrahedra. */
+constexpr double OnFace = 1e-9;
+
+/** A tetrahedron may get worse, but not beyond this angle, in degrees, and a triangle not beyond this radius ratio. */
+struct Floor
+{
+  double angle;
+  double triangle;
+};
+constexpr Floor BalanceFloor{ 20.0, 0.75 };
+constexpr Floor CentreFloor{ 26.0, 0.93 };
+constexpr Floor RoomFloor{ 26.0, 0.8 };
+
+/** How far x is from a tetrahedron: the largest distance beyond the plane of a face, negative inside. */
+double
+DepthOutside(const std::array<const Vector *, 4> & corners, const Vector & x)
+{
+  double depth = -1e300;
+  for (const auto & face : TetrahedronFaces)
+  {
+    const Vector & a = *corners[face[0]];
+    const Vector   normal = (*corners[face[1]] - a).cross(*corners[face[2]] - a); // outwards
+    depth = std::max(depth, normal.dot(x - a) / normal.norm());
+  }
+  return depth;
+}
+
+class InterfaceFit : private PointSmoother
+{
+public:
+  InterfaceFit(const IndicatorSet &           indicators,
+               const InterfaceConstraint &    constraint,
+               Material                       exterior,
+               const OptimizationParameters & parameters,
+               const TetrahedralComplex &     complex,
+               std::vector<Vector> &          points)
+    : PointSmoother(constraint, exterior, parameters, points, complex)
+    , m_Indicators(indicators)
+    , m_Grid(indicators.GetGrid())
+  {}
+
+  void
+  BalanceVolumes()
+  {
+    std::vector<double> gaps(m_Points.size());
+    for (int pass = 0; pass < BalancePasses; ++pass)
+    {
+      // all gaps first: what the neighbours do about theirs is not to count twice
+      ParallelFor(m_Points.size(), Grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p)
+        {
+          gaps[p] = this->IsOnSurface(PointId(p)) ? this->MeanGap(PointId(p)) : 0.0;
+        }
+      });
+      this->MoveByColour([&](PointId p) {
+        const double gap = std::min(std::max(gaps[p], -LongestMove), LongestMove);
+        return gap != 0.0 && this->MoveAbove(this->FloorAt(p, BalanceFloor),
+                                             p,
+                                             m_Points[p] + gap * m_Indicators.Normal(m_Cells[p], m_Points[p]));
+      });
+    }
+  }
+
+  void
+  RecoverVoxelCentres()
+  {
+    for (int pass = 0; pass < CentrePasses; ++pass)
+    {
+      const auto        isBesideWrong = this->MarkCorners(this->FindTetrahedraOfWrongCentres());
+      std::vector<char> hasMoved(m_Points.size(), 0);
+      this->MoveByColour([&](PointId p) {
+        hasMoved[p] = isBesideWrong[p] && this->MoveForCentres(p);
+        return bool(hasMoved[p]);
+      });
+      const auto isBesideMoved = this->MarkCorners(this->FindTetrahedraOf(hasMoved));
+      this->MoveByColour([&](PointId p) { return isBesideMoved[p] && this->MakeRoom(p); });
+    }
+  }
+
+private:
+  bool
+  IsOnSurface(PointId p) const
+  {
+    return m_Freedom[p] == Freedom::OnCell && m_Cells[p].count == 2 && !m_Indicators.IsPlane(m_Cells[p].materials[1]);
+  }
+
+  bool
+  IsOnInterface(PointId p) const
+  {
+    return m_FanStart[p] != m_FanStart[p + 1];
+  }
+
+  /** How far the zero set is from the triangles around p on average, along the normal of p's cell. */
+  double
+  MeanGap(PointId p) const
+  {
+    const Cell & cell = m_Cells[p];
+    const auto   gapAt = [&](const Vector & x) {
+      return 0.5 * (m_Indicators.Value(cell.materials[0], x) - m_Indicators.Value(cell.materials[1], x));
+    };
+    double sum = 0.0;
+    double areas = 0.0;
+    for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
+    {
+      const Vector & a = m_Points[p];
+      const Vector & b = m_Points[m_Fan[f][0]];
+      const Vector & c = m_Points[m_Fan[f][1]];
+      const double   area = (b - a).cross(c - a).norm();
+      // the middles of the edges give the mean of a quadratic function
+      sum += area * (gapAt(0.5 * (a + b)) + gapAt(0.5 * (a + c)) + gapAt(0.5 * (b + c))) / 3.0;
+      areas += area;
+    }
+    return areas > 0.0 ? sum / areas : 0.0;
+  }
+
+  /** What is below the floor already must not get worse. */
+  Floor
+  FloorAt(PointId p, const Floor & floor) const
+  {
+    return { std::min(m_Parameters.angleToKeep, floor.angle),
+             std::min(this->WorstTriangleAround(p, m_Points[p]), floor.triangle) };
+  }
+
+  bool
+  MoveAbove(const Floor & floor, PointId p, const Vector & x)
+  {
+    return this->MoveIfGood(p, x, floor.angle, floor.triangle);
+  }
+
+  std::array<Vector, 4>
+  CornersInVoxels(std::uint32_t t) const
+  {
+    std::array<Vector, 4> corners;
+    for (int c = 0; c < 4; ++c)
+    {
+      corners[c] = m_Points[m_Tetrahedra[t][c]].cwiseQuotient(m_Grid.spacing);
+    }
+    return corners;
+  }
+
+  std::vector<char>
+  FindTetrahedraOfWrongCentres() const
+  {
+    std::vector<char> isWrong(m_Tetrahedra.size(), 0);
+    ParallelFor(m_Tetrahedra.size(), Grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        VisitIndicesInside(m_Grid.size, this->CornersInVoxels(std::uint32_t(t)), -OnFace, [&](const Index & at) {
+          isWrong[t] |= m_Indicators.NodeMaterials()[m_Grid.Offset(at)] != m_Materials[t];
+        });
+      }
+    });
+    return isWrong;
+  }
+
+  std::vector<char>
+  FindTetrahedraOf(const std::vector<char> & points) const
+  {
+    std::vector<char> found(m_Tetrahedra.size(), 0);
+    for (std::size_t t = 0; t < found.size(); ++t)
+    {
+      const auto & c = m_Tetrahedra[t];
+      found[t] = points[c[0]] || points[c[1]] || points[c[2]] || points[c[3]];
+    }
+    return found;
+  }
+
+  std::vector<char>
+  MarkCorners(const std::vector<char> & tetrahedra) const
+  {
+    std::vector<char> marks(m_Points.size(), 0);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+    {
+      for (int c = 0; tetrahedra[t] && c < 4; ++c)
+      {
+        marks[m_Tetrahedra[t][c]] = 1;
+      }
+    }
+    return marks;
+  }
+
+  /** The voxel centres in the tetrahedra around p, by their grid nodes. */
+  std::vector<std::size_t>
+  CentresAround(PointId p) const
+  {
+    std::vector<std::size_t> centres;
+    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
+    {
+      VisitIndicesInside(m_Grid.size, this->CornersInVoxels(*s), OnFace, [&](const Index & at) {
+        centres.push_back(m_Grid.Offset(at));
+      });
+    }
+    std::sort(centres.begin(), centres.end());
+    centres.erase(std::unique(centres.begin(), centres.end()), centres.end());
+    return centres;
+  }
+
+  /** How far centres are from the tetrahedra of their material around p if p is at x, in sum. */
+  double
+  DepthOf(const std::vector<std::size_t> & centres, PointId p, const Vector & x) const
+  {
+    double sum = 0.0;
+    for (const auto n : centres)
+    {
+      const Material own = m_Indicators.NodeMaterials()[n];
+      const Vector   centre = m_Grid.Position(m_Grid.IndexAt(n));
+      double         depth = 1e3; // there may be no such tetrahedron
+      for (auto s = m_Star.Begin(p); s != m_Star.End(p) && depth > 0.0; ++s)
+      {
+        if (m_Materials[*s] == own)
+        {
+          std::array<const Vector *, 4> corners;
+          for (int c = 0; c < 4; ++c)
+          {
+            const PointId corner = m_Tetrahedra[*s][c];
+            corners[c] = corner == p ? &x : &m_Points[corner];
+          }
+          depth = std::min(depth, DepthOutside(corners, centre));
+        }
+      }
+      sum += std::max(0.0, depth);
+    }
+    return sum;
+  }
+
+  /** How far x is from where p belongs: from its cell, or from the interfaces that meet at it. */
+  double
+  DistanceFromOwn(PointId p, const Vector & x) const
+  {
+    if (m_Freedom[p] != Freedom::OnCell)
+    {
+      return this->DistanceFromInterfaces(this->MaterialsAround(p), p, x);
+    }
+    Vector onCell = x;
+    return m_Constraint.Project(p, onCell) ? (x - onCell).norm() : Nowhere;
+  }
+
+  /** Moves p, within the tolerance, so that centres around it get nearer to tetrahedra of their material. */
+  bool
+  MoveForCentres(PointId p)
+  {
+    if (!this->IsOnInterface(p) || !m_Constraint.MayLeaveCell(p))
+    {
+      return false;
+    }
+    const auto   centres = this->CentresAround(p);
+    double       depth = centres.size() > MostCentres ? 0.0 : this->DepthOf(centres, p, m_Points[p]);
+    const double furthest = std::max(m_Parameters.interfaceTolerance, this->DistanceFromOwn(p, m_Points[p]));
+    if (depth == 0.0 || furthest == Nowhere)
+    {
+      return false;
+    }
+    const Floor  floor = this->FloorAt(p, CentreFloor);
+    bool         moved = false;
+    for (double step = CentreStep; step > ShortestCentreStep; step *= 0.5)
+    {
+      for (int d = 0; d < SearchDirections; ++d)
+      {
+        const Vector x = m_Points[p] + step * SearchDirection(d);
+        const double reached = this->DepthOf(centres, p, x);
+        if (reached < depth - NegligibleDepth && this->DistanceFromOwn(p, x) <= furthest &&
+            this->MoveAbove(floor, p, x))
+        {
+          depth = reached;
+          moved = true;
+        }
+      }
+    }
+    return moved;
+  }
+
+  /** Moves p to where the radius ratios around it are larger on average, now that its neighbours have moved. Centres do
+   * not suffer. */
+  bool
+  MakeRoom(PointId p)
+  {
+    if (!this->IsOnInterface(p))
+    {
+      return this->MoveUphillOnAverage(p, [](Vector &) { return true; });
+    }
+    const double triangle = this->FloorAt(p, RoomFloor).triangle;
+    if (!m_Constraint.MayLeaveCell(p))
+    {
+      return this->MoveUphillOnAverage(
+        p, [&](Vector & x) { return this->Admit(p, x, 0.0) && this->WorstTriangleAround(p, x) >= triangle; });
+    }
+    const auto   centres = this->CentresAround(p);
+    const double depth = this->DepthOf(centres, p, m_Points[p]);
+    const double furthest = std::max(NegligibleDistance, this->DistanceFromOwn(p, m_Points[p]));
+    if (furthest == Nowhere)
+    {
+      return false;
+    }
+    return this->MoveUphillOnAverage(p, [&](Vector & x) {
+      return this->WorstTriangleAround(p, x) >= triangle && this->DistanceFromOwn(p, x) <= furthest &&
+             this->DepthOf(centres, p, x) <= depth;
+    });
+  }
+
+  const IndicatorSet & m_Indicators;
+  const Grid &         m_Grid;
+};
+} // namespace
+
+void
+FitInterfaces(const IndicatorSet &           indicators,
+              const InterfaceConstraint &    constraint,
+              Material                       exterior,
+              const OptimizationParameters & parameters,
+              const TetrahedralComplex &     complex,
+              std::vector<Vector> &          points)
+{
+  InterfaceFit fit(indicators, constraint, exterior, parameters, complex, points);
+  fit.BalanceVolumes();
+  fit.RecoverVoxelCentres();
+}
+} // namespace mmm
