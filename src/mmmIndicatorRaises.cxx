@@ -76,6 +76,17 @@ LeadAtNode(const IndicatorSet &        indicators,
   }
   return *ValueAt(blocks[own], node) - largest;
 }
+/** Whether a node or one of its 26 neighbours is of a material. */
+bool
+IsNear(const IndicatorSet & indicators, Material material, const Index & node)
+{
+  const Grid & grid = indicators.GetGrid();
+  bool         found = false;
+  NodeBox{ grid.Clamp({ { node[0] - 1, node[1] - 1, node[2] - 1 } }),
+           grid.Clamp({ { node[0] + 1, node[1] + 1, node[2] + 1 } }) }
+    .Visit([&](const Index & other) { found = found || indicators.MaterialAtNode(grid.Offset(other)) == material; });
+  return found;
+}
 } // namespace
 
 void
@@ -87,7 +98,8 @@ ApplyRaises(const IndicatorSet & indicators, std::vector<Raise> & raises, std::v
     const Index    node = indicators.GetGrid().IndexAt(raise.node);
     const Material own = indicators.MaterialAtNode(raise.node);
     float * const  value = ValueAt(blocks[raise.material], node);
-    if (value == nullptr)
+    // further away, a material could get to others that none of its voxels touches
+    if (value == nullptr || (!raise.IsLoss() && !IsNear(indicators, raise.material, node)))
     {
       continue;
     }

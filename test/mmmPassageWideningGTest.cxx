@@ -155,3 +155,40 @@ TEST(PassageWidening, LeavesABallAlone)
     EXPECT_EQ(widened.after->ValueAtNode(1, at), widened.before->ValueAtNode(1, at));
   }
 }
+
+TEST(PassageWidening, RaisesMaterialsOnlyWhereTheirVoxelsTouch)
+{
+  const auto image = mmmtest::MakeMaterials({ { 12, 12, 12 } }, Vector::Ones(), 6, [](const Vector & x) {
+    return mmm::Hash(std::uint64_t(x[0] + 12 * (x[1] + 12 * x[2]))) % 6;
+  });
+  const auto touches = [&](mmm::Material m, const Index & at) {
+    for (int n = 0; n < 27; ++n)
+    {
+      const Index other{ { at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1 } };
+      if (image.grid.Contains(other) && image.materials[image.grid.Offset(other)] == m)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::size_t apart = 0;
+  for (const bool keepContacts : { false, true })
+  {
+    const Widened widened(image, keepContacts);
+    for (std::size_t n = 0; n < image.grid.NumberOfNodes(); ++n)
+    {
+      const Index  at = image.grid.IndexAt(n);
+      const Vector x = image.grid.Position(at);
+      for (mmm::Material m = 0; m < 6; ++m)
+      {
+        if (!touches(m, at))
+        {
+          ++apart;
+          EXPECT_LE(widened.after->Value(m, x), widened.before->Value(m, x) + 1e-6);
+        }
+      }
+    }
+  }
+  EXPECT_GT(apart, 50u);
+}
