@@ -281,7 +281,8 @@ try
                                { "seeding of the interior", 0.01 },
                                { "relaxation of the interior", 0.08 },
                                { "constrained tetrahedralization", 0.07 },
-                               { "optimization", 0.36 },
+                               { "optimization", 0.30 },
+                               { "fit of the interfaces", 0.06 },
                                { "output", 0.01 } });
   m_Labels.clear();
   m_AbsentExteriorLabels.clear();

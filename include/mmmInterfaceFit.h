@@ -42,7 +42,8 @@ FitInterfaces(const IndicatorSet &           indicators,
               Material                       exterior,
               const OptimizationParameters & parameters,
               const TetrahedralComplex &     complex,
-              std::vector<Vector> &          points);
+              std::vector<Vector> &          points,
+              Monitor &                      monitor);
 } // namespace mmm
 
 #endif

@@ -33,7 +33,7 @@ constexpr std::size_t Grain = 1024;
 constexpr int         BalancePasses = 2;
 /** Nothing moves further than this in one pass of the balance, in units of the smallest voxel spacing. */
 constexpr double LongestMove = 0.3;
-constexpr int    CentrePasses = 3;
+constexpr int    CentrePasses = 2;
 /** Towards voxel centres, points move by this, and by half and a quarter of it. */
 constexpr double CentreStep = 0.2;
 constexpr double ShortestCentreStep = 0.04;
@@ -45,6 +45,8 @@ constexpr std::size_t MostCentres = 100;
 constexpr double NegligibleDistance = 0.02;
 /** The distance to a cell that is nowhere near. */
 constexpr double Nowhere = 1e300;
+/** The depth of a centre that has no tetrahedron of its material nearby. */
+constexpr double NoSuchTetrahedron = 1e3;
 /** Centres on a face belong to both tetrahedra. */
 constexpr double OnFace = 1e-9;
 
@@ -80,10 +82,12 @@ public:
                Material                       exterior,
                const OptimizationParameters & parameters,
                const TetrahedralComplex &     complex,
-               std::vector<Vector> &          points)
+               std::vector<Vector> &          points,
+               Monitor &                      monitor)
     : PointSmoother(constraint, exterior, parameters, points, complex)
     , m_Indicators(indicators)
     , m_Grid(indicators.GetGrid())
+    , m_Monitor(monitor)
   {}
 
   void
@@ -105,6 +109,7 @@ public:
                                              p,
                                              m_Points[p] + gap * m_Indicators.Normal(m_Cells[p], m_Points[p]));
       });
+      this->ReportPass();
     }
   }
 
@@ -121,10 +126,17 @@ public:
       });
       const auto isBesideMoved = this->MarkCorners(this->FindTetrahedraOf(hasMoved));
       this->MoveByColour([&](PointId p) { return isBesideMoved[p] && this->MakeRoom(p); });
+      this->ReportPass();
     }
   }
 
 private:
+  void
+  ReportPass()
+  {
+    m_Monitor.Report(double(++m_PassesDone) / (BalancePasses + CentrePasses));
+  }
+
   bool
   IsOnSurface(PointId p) const
   {
@@ -242,32 +254,58 @@ private:
     return centres;
   }
 
-  /** How far centres are from the tetrahedra of their material around p if p is at x, in sum. */
+  /** How far a centre is from the tetrahedra of its material around p if p is at x; 0 inside of one. */
   double
-  DepthOf(const std::vector<std::size_t> & centres, PointId p, const Vector & x) const
+  DepthOf(std::size_t centre, PointId p, const Vector & x) const
+  {
+    const Material own = m_Indicators.NodeMaterials()[centre];
+    const Vector   place = m_Grid.Position(m_Grid.IndexAt(centre));
+    double         depth = NoSuchTetrahedron;
+    for (auto s = m_Star.Begin(p); s != m_Star.End(p) && depth > 0.0; ++s)
+    {
+      if (m_Materials[*s] == own)
+      {
+        std::array<const Vector *, 4> corners;
+        for (int c = 0; c < 4; ++c)
+        {
+          const PointId corner = m_Tetrahedra[*s][c];
+          corners[c] = corner == p ? &x : &m_Points[corner];
+        }
+        depth = std::min(depth, DepthOutside(corners, place));
+      }
+    }
+    return std::max(0.0, depth);
+  }
+
+  /** The same of several in sum; the search ends early at one that is not below `enough`. */
+  double
+  DepthOf(const std::vector<std::size_t> & centres, PointId p, const Vector & x, double enough) const
   {
     double sum = 0.0;
-    for (const auto n : centres)
+    for (std::size_t n = 0; n < centres.size() && sum < enough; ++n)
     {
-      const Material own = m_Indicators.NodeMaterials()[n];
-      const Vector   centre = m_Grid.Position(m_Grid.IndexAt(n));
-      double         depth = 1e3; // there may be no such tetrahedron
-      for (auto s = m_Star.Begin(p); s != m_Star.End(p) && depth > 0.0; ++s)
-      {
-        if (m_Materials[*s] == own)
-        {
-          std::array<const Vector *, 4> corners;
-          for (int c = 0; c < 4; ++c)
-          {
-            const PointId corner = m_Tetrahedra[*s][c];
-            corners[c] = corner == p ? &x : &m_Points[corner];
-          }
-          depth = std::min(depth, DepthOutside(corners, centre));
-        }
-      }
-      sum += std::max(0.0, depth);
+      sum += this->DepthOf(centres[n], p, x);
     }
     return sum;
+  }
+
+  /** The voxel centres around p, those first that lie in a tetrahedron of another material, and their depths in sum;
+   * none where they are no measure. */
+  std::vector<std::size_t>
+  CentresAround(PointId p, double & depth) const
+  {
+    auto centres = this->CentresAround(p);
+    depth = 0.0;
+    if (centres.size() > MostCentres)
+    {
+      centres.clear();
+    }
+    std::stable_partition(centres.begin(), centres.end(), [&](std::size_t centre) {
+      const double own = this->DepthOf(centre, p, m_Points[p]);
+      depth += own;
+      return own > 0.0;
+    });
+    return centres;
   }
 
   /** How far x is from where p belongs: from its cell, or from the interfaces that meet at it. */
@@ -290,21 +328,21 @@ private:
     {
       return false;
     }
-    const auto   centres = this->CentresAround(p);
-    double       depth = centres.size() > MostCentres ? 0.0 : this->DepthOf(centres, p, m_Points[p]);
+    double       depth = 0.0;
+    const auto   centres = this->CentresAround(p, depth);
     const double furthest = std::max(m_Parameters.interfaceTolerance, this->DistanceFromOwn(p, m_Points[p]));
     if (depth == 0.0 || furthest == Nowhere)
     {
       return false;
     }
-    const Floor  floor = this->FloorAt(p, CentreFloor);
-    bool         moved = false;
+    const Floor floor = this->FloorAt(p, CentreFloor);
+    bool        moved = false;
     for (double step = CentreStep; step > ShortestCentreStep; step *= 0.5)
     {
       for (int d = 0; d < SearchDirections; ++d)
       {
         const Vector x = m_Points[p] + step * SearchDirection(d);
-        const double reached = this->DepthOf(centres, p, x);
+        const double reached = this->DepthOf(centres, p, x, depth - NegligibleDepth);
         if (reached < depth - NegligibleDepth && this->DistanceFromOwn(p, x) <= furthest &&
             this->MoveAbove(floor, p, x))
         {
@@ -331,8 +369,8 @@ private:
       return this->MoveUphillOnAverage(
         p, [&](Vector & x) { return this->Admit(p, x, 0.0) && this->WorstTriangleAround(p, x) >= triangle; });
     }
-    const auto   centres = this->CentresAround(p);
-    const double depth = this->DepthOf(centres, p, m_Points[p]);
+    double       depth = 0.0;
+    const auto   centres = this->CentresAround(p, depth);
     const double furthest = std::max(NegligibleDistance, this->DistanceFromOwn(p, m_Points[p]));
     if (furthest == Nowhere)
     {
@@ -340,12 +378,14 @@ private:
     }
     return this->MoveUphillOnAverage(p, [&](Vector & x) {
       return this->WorstTriangleAround(p, x) >= triangle && this->DistanceFromOwn(p, x) <= furthest &&
-             this->DepthOf(centres, p, x) <= depth;
+             this->DepthOf(centres, p, x, depth + NegligibleDepth) <= depth;
     });
   }
 
   const IndicatorSet & m_Indicators;
   const Grid &         m_Grid;
+  Monitor &            m_Monitor;
+  int                  m_PassesDone{ 0 };
 };
 } // namespace
 
@@ -355,9 +395,10 @@ FitInterfaces(const IndicatorSet &           indicators,
               Material                       exterior,
               const OptimizationParameters & parameters,
               const TetrahedralComplex &     complex,
-              std::vector<Vector> &          points)
+              std::vector<Vector> &          points,
+              Monitor &                      monitor)
 {
-  InterfaceFit fit(indicators, constraint, exterior, parameters, complex, points);
+  InterfaceFit fit(indicators, constraint, exterior, parameters, complex, points, monitor);
   fit.BalanceVolumes();
   fit.RecoverVoxelCentres();
 }

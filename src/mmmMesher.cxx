@@ -250,7 +250,8 @@ BuildMesh(const IndicatorSet &      indicators,
     parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
   report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
-  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points);
+  monitor.BeginStage("fit of the interfaces");
+  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
   if (parameters.compareTopology)
