@@ -240,8 +240,8 @@ try
                                { "relaxation of the interior", 0.09 },
                                { "constrained tetrahedralization", 0.08 },
                                { "optimization", 0.33 },
-                               { "fit of the interfaces", 0.06 },
                                { "topology", 0.02 },
+                               { "fit of the interfaces", 0.06 },
                                { "output", 0.01 } });
   m_Report = mmm::MeshingReport();
   monitor.BeginStage("preparation");

@@ -32,7 +32,7 @@ class InterfaceConstraint;
  * First, those of surfaces move so that the triangles lie on both sides of the zero set in equal parts: with all
  * corners on it, convex materials lose volume, 5 % for a ball of six voxels' radius. Then points around voxel centres
  * that lie in a tetrahedron of another material than their own move so that these come to lie on their side: in thin
- * layers, triangles cut corners off. The latter move by no more than the tolerance.
+ * layers, triangles cut corners off. Points stay within the tolerance of their cells, or as near as they are.
  *
  * The constraint gives, for the first points, the cell that each lies on. Tetrahedra keep good angles, and triangles
  * good radius ratios; `exterior` ones may be part of the complex, which has to be compact. */

@@ -26,11 +26,15 @@
 
 namespace mmm
 {
-/** Calls visit(index) for the points with whole-numbered coordinates, from 0 up to but without `size`, that are inside
- * of a tetrahedron, its planes moved outwards by `reach` and not further than its bounding box moved likewise. */
+/** Calls visit(index) for the points with whole-numbered coordinates, from `lower` to `upper`, that are inside of a
+ * tetrahedron, its planes moved outwards by `reach` and not further than its bounding box moved likewise. */
 template <typename TVisitor>
 void
-VisitIndicesInside(const Index & size, const std::array<Vector, 4> & corners, double reach, TVisitor && visit)
+VisitIndicesInside(const Index &                 lower,
+                   const Index &                 upper,
+                   const std::array<Vector, 4> & corners,
+                   double                        reach,
+                   TVisitor &&                   visit)
 {
   Vector normals[4];
   double offsets[4];
@@ -45,8 +49,8 @@ VisitIndicesInside(const Index & size, const std::array<Vector, 4> & corners, do
   for (int a = 0; a < 3; ++a)
   {
     const auto coordinates = { corners[0][a], corners[1][a], corners[2][a], corners[3][a] };
-    low[a] = std::max(0, int(std::ceil(std::min(coordinates) - reach)));
-    high[a] = std::min(size[a] - 1, int(std::floor(std::max(coordinates) + reach)));
+    low[a] = std::max(lower[a], int(std::ceil(std::min(coordinates) - reach)));
+    high[a] = std::min(upper[a], int(std::floor(std::max(coordinates) + reach)));
   }
   for (int k = low[2]; k <= high[2]; ++k)
   {
@@ -82,6 +86,15 @@ VisitIndicesInside(const Index & size, const std::array<Vector, 4> & corners, do
       }
     }
   }
+}
+
+/** The same from 0 up to but without `size`. */
+template <typename TVisitor>
+void
+VisitIndicesInside(const Index & size, const std::array<Vector, 4> & corners, double reach, TVisitor && visit)
+{
+  const Index last{ { size[0] - 1, size[1] - 1, size[2] - 1 } };
+  VisitIndicesInside(Index{ { 0, 0, 0 } }, last, corners, reach, visit);
 }
 } // namespace mmm
 

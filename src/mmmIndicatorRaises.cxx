@@ -76,6 +76,7 @@ LeadAtNode(const IndicatorSet &        indicators,
   }
   return *ValueAt(blocks[own], node) - largest;
 }
+
 /** Whether a node or one of its 26 neighbours is of a material. */
 bool
 IsNear(const IndicatorSet & indicators, Material material, const Index & node)

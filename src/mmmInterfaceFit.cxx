@@ -34,7 +34,8 @@ constexpr int         BalancePasses = 2;
 /** Nothing moves further than this in one pass of the balance, in units of the smallest voxel spacing. */
 constexpr double LongestMove = 0.3;
 constexpr int    CentrePasses = 2;
-/** Towards voxel centres, points move by this, and by half and a quarter of it. */
+/** Towards voxel centres, points move by this, in units of the smallest voxel spacing, and by half and a quarter of it.
+ */
 constexpr double CentreStep = 0.2;
 constexpr double ShortestCentreStep = 0.04;
 /** A gain in depth that is not worth a move. */
@@ -43,8 +44,8 @@ constexpr double NegligibleDepth = 1e-6;
 constexpr std::size_t MostCentres = 100;
 /** Points that did not leave their cell may do so by this when they make room. */
 constexpr double NegligibleDistance = 0.02;
-/** The distance to a cell that is nowhere near. */
-constexpr double Nowhere = 1e300;
+/** Points that are further than this from where they belong stay where they are. */
+constexpr double Far = 1.0;
 /** The depth of a centre that has no tetrahedron of its material nearby. */
 constexpr double NoSuchTetrahedron = 1e3;
 /** Centres on a face belong to both tetrahedra. */
@@ -58,7 +59,8 @@ struct Floor
 };
 constexpr Floor BalanceFloor{ 20.0, 0.75 };
 constexpr Floor CentreFloor{ 26.0, 0.93 };
-constexpr Floor RoomFloor{ 26.0, 0.8 };
+/** Likewise a triangle whose points make room. */
+constexpr double TriangleBesideRoom = 0.8;
 
 /** How far x is from a tetrahedron: the largest distance beyond the plane of a face, negative inside. */
 double
@@ -120,10 +122,14 @@ public:
     {
       const auto        isBesideWrong = this->MarkCorners(this->FindTetrahedraOfWrongCentres());
       std::vector<char> hasMoved(m_Points.size(), 0);
-      this->MoveByColour([&](PointId p) {
+      const auto        moves = this->MoveByColour([&](PointId p) {
         hasMoved[p] = isBesideWrong[p] && this->MoveForCentres(p);
         return bool(hasMoved[p]);
       });
+      if (moves == 0)
+      {
+        break;
+      }
       const auto isBesideMoved = this->MarkCorners(this->FindTetrahedraOf(hasMoved));
       this->MoveByColour([&](PointId p) { return isBesideMoved[p] && this->MakeRoom(p); });
       this->ReportPass();
@@ -238,28 +244,42 @@ private:
     return marks;
   }
 
-  /** The voxel centres in the tetrahedra around p, by their grid nodes. */
+  /** The grid nodes in the tetrahedra around p, as far as these are meshed, and likewise far outside. */
   std::vector<std::size_t>
-  CentresAround(PointId p) const
+  NodesAround(PointId p) const
   {
-    std::vector<std::size_t> centres;
+    double reach = 0.0;
     for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
     {
-      VisitIndicesInside(m_Grid.size, this->CornersInVoxels(*s), OnFace, [&](const Index & at) {
-        centres.push_back(m_Grid.Offset(at));
-      });
+      for (int c = 0; !this->IsExterior(*s) && c < 4; ++c)
+      {
+        reach = std::max(reach, (m_Points[m_Tetrahedra[*s][c]] - m_Points[p]).norm());
+      }
     }
-    std::sort(centres.begin(), centres.end());
-    centres.erase(std::unique(centres.begin(), centres.end()), centres.end());
-    return centres;
+    Index lower;
+    Index upper;
+    for (int a = 0; a < 3; ++a)
+    {
+      lower[a] = std::max(int(std::ceil((m_Points[p][a] - reach) / m_Grid.spacing[a])), 0);
+      upper[a] = std::min(int(std::floor((m_Points[p][a] + reach) / m_Grid.spacing[a])), m_Grid.size[a] - 1);
+    }
+    std::vector<std::size_t> nodes;
+    for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
+    {
+      VisitIndicesInside(
+        lower, upper, this->CornersInVoxels(*s), OnFace, [&](const Index & at) { nodes.push_back(m_Grid.Offset(at)); });
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
   }
 
   /** How far a centre is from the tetrahedra of its material around p if p is at x; 0 inside of one. */
   double
-  DepthOf(std::size_t centre, PointId p, const Vector & x) const
+  DepthOf(std::size_t node, PointId p, const Vector & x) const
   {
-    const Material own = m_Indicators.NodeMaterials()[centre];
-    const Vector   place = m_Grid.Position(m_Grid.IndexAt(centre));
+    const Material own = m_Indicators.NodeMaterials()[node];
+    const Vector   centre = m_Grid.Position(m_Grid.IndexAt(node));
     double         depth = NoSuchTetrahedron;
     for (auto s = m_Star.Begin(p); s != m_Star.End(p) && depth > 0.0; ++s)
     {
@@ -271,41 +291,51 @@ private:
           const PointId corner = m_Tetrahedra[*s][c];
           corners[c] = corner == p ? &x : &m_Points[corner];
         }
-        depth = std::min(depth, DepthOutside(corners, place));
+        depth = std::min(depth, DepthOutside(corners, centre));
       }
     }
     return std::max(0.0, depth);
   }
 
-  /** The same of several in sum; the search ends early at one that is not below `enough`. */
-  double
-  DepthOf(const std::vector<std::size_t> & centres, PointId p, const Vector & x, double enough) const
+  /** Voxel centres by their grid nodes, those first that lie in a tetrahedron of another material, and their depths in
+   * sum. */
+  struct Centres
   {
-    double sum = 0.0;
-    for (std::size_t n = 0; n < centres.size() && sum < enough; ++n)
+    std::vector<std::size_t> nodes;
+    double                   depth{ 0.0 };
+  };
+
+  /** The voxel centres around p, none where they are no measure. */
+  Centres
+  CentresAround(PointId p) const
+  {
+    Centres    centres;
+    const auto nodes = this->NodesAround(p);
+    if (nodes.size() > MostCentres)
     {
-      sum += this->DepthOf(centres[n], p, x);
+      return centres;
     }
-    return sum;
+    std::vector<std::size_t> right;
+    for (const auto node : nodes)
+    {
+      const double depth = this->DepthOf(node, p, m_Points[p]);
+      centres.depth += depth;
+      (depth > 0.0 ? centres.nodes : right).push_back(node);
+    }
+    centres.nodes.insert(centres.nodes.end(), right.begin(), right.end());
+    return centres;
   }
 
-  /** The voxel centres around p, those first that lie in a tetrahedron of another material, and their depths in sum;
-   * none where they are no measure. */
-  std::vector<std::size_t>
-  CentresAround(PointId p, double & depth) const
+  /** The depths of centres in sum if p is at x; the search ends early at one that is not below `enough`. */
+  double
+  DepthAt(const Centres & centres, PointId p, const Vector & x, double enough) const
   {
-    auto centres = this->CentresAround(p);
-    depth = 0.0;
-    if (centres.size() > MostCentres)
+    double sum = 0.0;
+    for (std::size_t n = 0; n < centres.nodes.size() && sum < enough; ++n)
     {
-      centres.clear();
+      sum += this->DepthOf(centres.nodes[n], p, x);
     }
-    std::stable_partition(centres.begin(), centres.end(), [&](std::size_t centre) {
-      const double own = this->DepthOf(centre, p, m_Points[p]);
-      depth += own;
-      return own > 0.0;
-    });
-    return centres;
+    return sum;
   }
 
   /** How far x is from where p belongs: from its cell, or from the interfaces that meet at it. */
@@ -317,10 +347,11 @@ private:
       return this->DistanceFromInterfaces(this->MaterialsAround(p), p, x);
     }
     Vector onCell = x;
-    return m_Constraint.Project(p, onCell) ? (x - onCell).norm() : Nowhere;
+    return m_Constraint.Project(p, onCell) ? (x - onCell).norm() : 2.0 * Far;
   }
 
-  /** Moves p, within the tolerance, so that centres around it get nearer to tetrahedra of their material. */
+  /** Moves p so that centres around it get nearer to tetrahedra of their material. It stays within the tolerance of
+   * where it belongs, or as near to it as it is. */
   bool
   MoveForCentres(PointId p)
   {
@@ -328,23 +359,24 @@ private:
     {
       return false;
     }
-    double       depth = 0.0;
-    const auto   centres = this->CentresAround(p, depth);
-    const double furthest = std::max(m_Parameters.interfaceTolerance, this->DistanceFromOwn(p, m_Points[p]));
-    if (depth == 0.0 || furthest == Nowhere)
+    const Centres centres = this->CentresAround(p);
+    const double  distance = this->DistanceFromOwn(p, m_Points[p]);
+    if (centres.depth == 0.0 || distance > Far)
     {
       return false;
     }
-    const Floor floor = this->FloorAt(p, CentreFloor);
-    bool        moved = false;
+    const double furthest = std::max(m_Parameters.interfaceTolerance, distance);
+    const Floor  floor = this->FloorAt(p, CentreFloor);
+    double       depth = centres.depth;
+    bool         moved = false;
     for (double step = CentreStep; step > ShortestCentreStep; step *= 0.5)
     {
       for (int d = 0; d < SearchDirections; ++d)
       {
         const Vector x = m_Points[p] + step * SearchDirection(d);
-        const double reached = this->DepthOf(centres, p, x, depth - NegligibleDepth);
-        if (reached < depth - NegligibleDepth && this->DistanceFromOwn(p, x) <= furthest &&
-            this->MoveAbove(floor, p, x))
+        const double enough = depth - NegligibleDepth;
+        const double reached = this->DepthAt(centres, p, x, enough);
+        if (reached < enough && this->DistanceFromOwn(p, x) <= furthest && this->MoveAbove(floor, p, x))
         {
           depth = reached;
           moved = true;
@@ -355,7 +387,7 @@ private:
   }
 
   /** Moves p to where the radius ratios around it are larger on average, now that its neighbours have moved. Centres do
-   * not suffer. */
+   * not suffer, where they are a measure. */
   bool
   MakeRoom(PointId p)
   {
@@ -363,22 +395,19 @@ private:
     {
       return this->MoveUphillOnAverage(p, [](Vector &) { return true; });
     }
-    const double triangle = this->FloorAt(p, RoomFloor).triangle;
-    if (!m_Constraint.MayLeaveCell(p))
-    {
-      return this->MoveUphillOnAverage(
-        p, [&](Vector & x) { return this->Admit(p, x, 0.0) && this->WorstTriangleAround(p, x) >= triangle; });
-    }
-    double       depth = 0.0;
-    const auto   centres = this->CentresAround(p, depth);
-    const double furthest = std::max(NegligibleDistance, this->DistanceFromOwn(p, m_Points[p]));
-    if (furthest == Nowhere)
+    const double distance = this->DistanceFromOwn(p, m_Points[p]);
+    if (m_Freedom[p] != Freedom::OnCell || distance > Far)
     {
       return false;
     }
+    const double  triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleBesideRoom);
+    const bool    mayLeave = m_Constraint.MayLeaveCell(p);
+    const double  furthest = std::max(NegligibleDistance, distance);
+    const Centres centres = this->CentresAround(p);
+    const double  enough = centres.depth + NegligibleDepth;
     return this->MoveUphillOnAverage(p, [&](Vector & x) {
-      return this->WorstTriangleAround(p, x) >= triangle && this->DistanceFromOwn(p, x) <= furthest &&
-             this->DepthOf(centres, p, x, depth + NegligibleDepth) <= depth;
+      return (mayLeave ? this->DistanceFromOwn(p, x) <= furthest : this->Admit(p, x, 0.0)) &&
+             this->WorstTriangleAround(p, x) >= triangle && this->DepthAt(centres, p, x, enough) < enough;
     });
   }
 

@@ -250,17 +250,18 @@ BuildMesh(const IndicatorSet &      indicators,
     parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
   report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
-  monitor.BeginStage("fit of the interfaces");
-  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
   if (parameters.compareTopology)
   {
+    // the fit does not change it, but leaves the indicators
     monitor.BeginStage("topology");
     report.topology = CompareTopology(
       indicators, result.points, result.tetrahedra, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
     monitor.Report(1.0);
   }
+  monitor.BeginStage("fit of the interfaces");
+  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
   if (parameters.surfaceOnly)
   {

@@ -29,6 +29,9 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
+/** What is further from the interfaces, in units of their tolerance, is not near them: such points belong to the
+ * image's box, for instance. */
+constexpr double NearInTolerances = 8.0;
 } // namespace
 
 MovablePoints::MovablePoints(const InterfaceConstraint &    constraint,
@@ -125,7 +128,9 @@ MovablePoints::ClassifyPoints()
     {
       m_Freedom[p] = Freedom::OnCell;
     }
-    else if (!outside[p] && m_Constraint.MayLeaveCell(PointId(p)))
+    else if (!outside[p] && m_Constraint.MayLeaveCell(PointId(p)) &&
+             this->DistanceFromInterfaces(present, PointId(p), m_Points[p]) <
+               NearInTolerances * m_Parameters.interfaceTolerance)
     {
       m_Freedom[p] = Freedom::NearInterfaces;
     }
