@@ -20,6 +20,7 @@
 
 #include "mmmIndicatorSet.h"
 #include "mmmMeshOptimizer.h"
+#include "mmmMonitor.h"
 #include "mmmTetrahedralComplex.h"
 
 namespace mmm

@@ -86,7 +86,7 @@ struct MeshingReport
   /** Of the particles between which the surface was found, against the cells that they were put on. */
   ResidualReports residualsOfParticles;
   /** Where the optimizer left those that the surface uses, against the cells of the materials that meet at them in the
-   * mesh, before volumes are balanced. Where there was nothing to optimize, the same particles as they were. */
+   * mesh, before the fit of the interfaces. Where there was nothing to optimize, the same particles as they were. */
   ResidualReports residualsAfterOptimization;
 };
 

@@ -21,11 +21,25 @@
 #include "mmmTetrahedronQuality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace mmm
 {
+/** The corners of a tetrahedron in units of a grid's spacing. */
+inline std::array<Vector, 4>
+CornersInVoxels(const Grid & grid, const std::vector<Vector> & points, const Tetrahedron & tetrahedron)
+{
+  std::array<Vector, 4> corners;
+  for (int c = 0; c < 4; ++c)
+  {
+    corners[c] = points[tetrahedron[c]].cwiseQuotient(grid.spacing);
+  }
+  return corners;
+}
+
 /** Calls visit(index) for the points with whole-numbered coordinates, from `lower` to `upper`, that are inside of a
  * tetrahedron, its planes moved outwards by `reach` and not further than its bounding box moved likewise. */
 template <typename TVisitor>

@@ -149,12 +149,6 @@ private:
     return m_Freedom[p] == Freedom::OnCell && m_Cells[p].count == 2 && !m_Indicators.IsPlane(m_Cells[p].materials[1]);
   }
 
-  bool
-  IsOnInterface(PointId p) const
-  {
-    return m_FanStart[p] != m_FanStart[p + 1];
-  }
-
   /** How far the zero set is from the triangles around p on average, along the normal of p's cell. */
   double
   MeanGap(PointId p) const
@@ -192,17 +186,6 @@ private:
     return this->MoveIfGood(p, x, floor.angle, floor.triangle);
   }
 
-  std::array<Vector, 4>
-  CornersInVoxels(std::uint32_t t) const
-  {
-    std::array<Vector, 4> corners;
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = m_Points[m_Tetrahedra[t][c]].cwiseQuotient(m_Grid.spacing);
-    }
-    return corners;
-  }
-
   std::vector<char>
   FindTetrahedraOfWrongCentres() const
   {
@@ -210,9 +193,10 @@ private:
     ParallelFor(m_Tetrahedra.size(), Grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t)
       {
-        VisitIndicesInside(m_Grid.size, this->CornersInVoxels(std::uint32_t(t)), -OnFace, [&](const Index & at) {
-          isWrong[t] |= m_Indicators.NodeMaterials()[m_Grid.Offset(at)] != m_Materials[t];
-        });
+        VisitIndicesInside(
+          m_Grid.size, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[t]), -OnFace, [&](const Index & at) {
+            isWrong[t] |= m_Indicators.NodeMaterials()[m_Grid.Offset(at)] != m_Materials[t];
+          });
       }
     });
     return isWrong;
@@ -228,20 +212,6 @@ private:
       found[t] = points[c[0]] || points[c[1]] || points[c[2]] || points[c[3]];
     }
     return found;
-  }
-
-  std::vector<char>
-  MarkCorners(const std::vector<char> & tetrahedra) const
-  {
-    std::vector<char> marks(m_Points.size(), 0);
-    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
-    {
-      for (int c = 0; tetrahedra[t] && c < 4; ++c)
-      {
-        marks[m_Tetrahedra[t][c]] = 1;
-      }
-    }
-    return marks;
   }
 
   /** The grid nodes in the tetrahedra around p, as far as these are meshed, and likewise far outside. */
@@ -267,7 +237,9 @@ private:
     for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
     {
       VisitIndicesInside(
-        lower, upper, this->CornersInVoxels(*s), OnFace, [&](const Index & at) { nodes.push_back(m_Grid.Offset(at)); });
+        lower, upper, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[*s]), OnFace, [&](const Index & at) {
+          nodes.push_back(m_Grid.Offset(at));
+        });
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -360,30 +332,29 @@ private:
       return false;
     }
     const Centres centres = this->CentresAround(p);
-    const double  distance = this->DistanceFromOwn(p, m_Points[p]);
-    if (centres.depth == 0.0 || distance > Far)
+    if (centres.depth == 0.0)
+    {
+      return false;
+    }
+    const double distance = this->DistanceFromOwn(p, m_Points[p]);
+    if (distance > Far)
     {
       return false;
     }
     const double furthest = std::max(m_Parameters.interfaceTolerance, distance);
     const Floor  floor = this->FloorAt(p, CentreFloor);
     double       depth = centres.depth;
-    bool         moved = false;
-    for (double step = CentreStep; step > ShortestCentreStep; step *= 0.5)
-    {
-      for (int d = 0; d < SearchDirections; ++d)
+    return SearchAround(CentreStep, ShortestCentreStep, [&](double step, const Vector & direction) {
+      const Vector x = m_Points[p] + step * direction;
+      const double enough = depth - NegligibleDepth;
+      const double reached = this->DepthAt(centres, p, x, enough);
+      if (!(reached < enough && this->DistanceFromOwn(p, x) <= furthest && this->MoveAbove(floor, p, x)))
       {
-        const Vector x = m_Points[p] + step * SearchDirection(d);
-        const double enough = depth - NegligibleDepth;
-        const double reached = this->DepthAt(centres, p, x, enough);
-        if (reached < enough && this->DistanceFromOwn(p, x) <= furthest && this->MoveAbove(floor, p, x))
-        {
-          depth = reached;
-          moved = true;
-        }
+        return false;
       }
-    }
-    return moved;
+      depth = reached;
+      return true;
+    });
   }
 
   /** Moves p to where the radius ratios around it are larger on average, now that its neighbours have moved. Centres do
@@ -395,8 +366,12 @@ private:
     {
       return this->MoveUphillOnAverage(p, [](Vector &) { return true; });
     }
+    if (m_Freedom[p] != Freedom::OnCell)
+    {
+      return false;
+    }
     const double distance = this->DistanceFromOwn(p, m_Points[p]);
-    if (m_Freedom[p] != Freedom::OnCell || distance > Far)
+    if (distance > Far)
     {
       return false;
     }

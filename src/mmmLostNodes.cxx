@@ -93,21 +93,18 @@ FindLostNodes(const IndicatorSet &        indicators,
   const Grid & grid = indicators.GetGrid();
   const auto & materials = indicators.NodeMaterials();
   auto         states = MarkInterfaceNodes(grid, materials);
-  const auto   toIndex = [&](PointId p) { return Vector(points[p].cwiseQuotient(grid.spacing)); };
   // a node is inside of one tetrahedron at most: no two threads write to one place
   ParallelFor(mesh.tetrahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
     {
-      const auto & c = mesh.tetrahedra[t];
       // nodes on faces are left out
-      VisitIndicesInside(
-        grid.size, { toIndex(c[0]), toIndex(c[1]), toIndex(c[2]), toIndex(c[3]) }, -1e-9, [&](const Index & at) {
-          const auto n = grid.Offset(at);
-          if (states[n] != FarFromInterfaces)
-          {
-            states[n] = mesh.materials[t] == materials[n] ? Right : Wrong;
-          }
-        });
+      VisitIndicesInside(grid.size, CornersInVoxels(grid, points, mesh.tetrahedra[t]), -1e-9, [&](const Index & at) {
+        const auto n = grid.Offset(at);
+        if (states[n] != FarFromInterfaces)
+        {
+          states[n] = mesh.materials[t] == materials[n] ? Right : Wrong;
+        }
+      });
     }
   });
   const auto isLost = [&](std::size_t n) {

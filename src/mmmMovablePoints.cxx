@@ -99,9 +99,9 @@ MovablePoints::ClassifyPoints()
   m_Freedom.assign(m_Points.size(), Freedom::Free);
   for (std::size_t p = 0; p < m_Points.size(); ++p)
   {
-    if (m_FanStart[p] == m_FanStart[p + 1])
+    if (!this->IsOnInterface(PointId(p)))
     {
-      continue; // on no interface
+      continue;
     }
     m_Freedom[p] = Freedom::Fixed;
     if (p >= m_Cells.size() || (m_Cells[p].Dimension() == 0 && !m_Constraint.MayLeaveCell(PointId(p))))
@@ -135,6 +135,20 @@ MovablePoints::ClassifyPoints()
       m_Freedom[p] = Freedom::NearInterfaces;
     }
   }
+}
+
+std::vector<char>
+MovablePoints::MarkCorners(const std::vector<char> & tetrahedra) const
+{
+  std::vector<char> marks(m_Points.size(), 0);
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+  {
+    for (int c = 0; tetrahedra[t] && c < 4; ++c)
+    {
+      marks[m_Tetrahedra[t][c]] = 1;
+    }
+  }
+  return marks;
 }
 
 std::vector<Material>

@@ -51,15 +51,35 @@ public:
                 const TetrahedralComplex &     complex);
 
 protected:
-  /** The axes, then the diagonals. */
-  static constexpr int SearchDirections = 14;
-  static Vector
-  SearchDirection(int number);
+  /** Calls tryStep(length, direction) for lengths from `longest`, halved down to `shortest`, along the axes and the
+   * diagonals each. Returns whether one of the calls did. */
+  template <typename TTry>
+  static bool
+  SearchAround(double longest, double shortest, const TTry & tryStep)
+  {
+    bool moved = false;
+    for (double length = longest; length > shortest; length *= 0.5)
+    {
+      for (int d = 0; d < SearchDirections; ++d)
+      {
+        moved |= tryStep(length, SearchDirection(d));
+      }
+    }
+    return moved;
+  }
   bool
   IsExterior(std::uint32_t t) const
   {
     return m_Materials[t] == m_Exterior;
   }
+  bool
+  IsOnInterface(PointId p) const
+  {
+    return m_FanStart[p] != m_FanStart[p + 1];
+  }
+  /** The points that have one of the tetrahedra that are marked. */
+  std::vector<char>
+  MarkCorners(const std::vector<char> & tetrahedra) const;
   std::vector<Material>
   MaterialsAround(PointId p) const;
   double
@@ -95,6 +115,10 @@ protected:
   std::vector<std::array<PointId, 2>> m_Fan;
 
 private:
+  /** The axes, then the diagonals. */
+  static constexpr int SearchDirections = 14;
+  static Vector
+  SearchDirection(int number);
   void
   ClassifyPoints();
   void

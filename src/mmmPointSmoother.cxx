@@ -78,15 +78,7 @@ PointSmoother::MarkPointsOfPoor(double quality) const
                   ShapeQuality(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]) < quality;
     }
   });
-  std::vector<char> marks(m_Points.size(), 0);
-  for (std::size_t t = 0; t < isPoor.size(); ++t)
-  {
-    for (int c = 0; isPoor[t] && c < 4; ++c)
-    {
-      marks[m_Tetrahedra[t][c]] = 1;
-    }
-  }
-  return marks;
+  return this->MarkCorners(isPoor);
 }
 
 std::size_t
@@ -312,13 +304,9 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
   }
   for (const double slack : { 0.0, tolerance })
   {
-    for (double step = 0.2 * size; step > 0.02 * size; step *= 0.5)
-    {
-      for (int d = 0; d < SearchDirections; ++d)
-      {
-        moved = this->TryMove(p, m_Points[p] + step * SearchDirection(d), slack, worst) || moved;
-      }
-    }
+    moved |= SearchAround(0.2 * size, 0.02 * size, [&](double step, const Vector & direction) {
+      return this->TryMove(p, m_Points[p] + step * direction, slack, worst);
+    });
     // only the flattest ones may take their corners off their cells
     if (m_Freedom[p] != Freedom::OnCell || worst >= QualityOfAngle(AngleToLeaveCell))
     {
@@ -376,26 +364,21 @@ PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit 
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
   }
-  bool moved = false;
-  for (double step = 0.2 * size; step > 0.01 * size; step *= 0.5)
-  {
-    for (int d = 0; d < SearchDirections; ++d)
+  return SearchAround(0.2 * size, 0.01 * size, [&](double step, const Vector & direction) {
+    Vector x = m_Points[p] + step * along(direction);
+    if (!admit(x))
     {
-      Vector x = m_Points[p] + step * along(SearchDirection(d));
-      if (!admit(x))
-      {
-        continue;
-      }
-      const double reached = this->WorstTriangleAround(p, x);
-      if (reached > worst && this->StaysGood(p, x, m_Parameters.angleToKeepBesideTriangles))
-      {
-        m_Points[p] = x;
-        worst = reached;
-        moved = true;
-      }
+      return false;
     }
-  }
-  return moved;
+    const double reached = this->WorstTriangleAround(p, x);
+    if (!(reached > worst && this->StaysGood(p, x, m_Parameters.angleToKeepBesideTriangles)))
+    {
+      return false;
+    }
+    m_Points[p] = x;
+    worst = reached;
+    return true;
+  });
 }
 
 /** Moves p to its cell, or half the way, if tetrahedra and triangles stay good enough. */

@@ -23,7 +23,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -75,11 +74,7 @@ ShareOfMissingCentres(const Scene & scene, const mmm::MeshingResult & result, mm
   std::vector<char> isFound(materials.size(), 0);
   for (std::size_t t = 0; t < result.tetrahedra.tetrahedra.size(); ++t)
   {
-    std::array<Vector, 4> corners;
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = result.points[result.tetrahedra.tetrahedra[t][c]].cwiseQuotient(grid.spacing);
-    }
+    const auto corners = mmm::CornersInVoxels(grid, result.points, result.tetrahedra.tetrahedra[t]);
     mmm::VisitIndicesInside(grid.size, corners, 1e-9, [&](const mmm::Index & at) {
       isFound[grid.Offset(at)] |= result.tetrahedra.materials[t] == material;
     });

@@ -17,13 +17,10 @@
  *=========================================================================*/
 #include "mmmStuckTetrahedra.h"
 #include "mmmTestScenes.h"
-#include "mmmTetrahedronQuality.h"
+#include "mmmTestTetrahedra.h"
 
 #include "gtest/gtest.h"
 
-#include <algorithm>
-
-using mmm::Index;
 using mmm::Vector;
 
 namespace
@@ -49,30 +46,7 @@ public:
     {
       m_Points.push_back(grid.Position(grid.IndexAt(n)));
     }
-    for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
-    {
-      std::array<int, 3> axes{ { 0, 1, 2 } };
-      do
-      {
-        Index at = grid.IndexAt(n);
-        if (std::max({ at[0], at[1], at[2] }) == Size - 1)
-        {
-          continue;
-        }
-        mmm::Tetrahedron tetrahedron{ { mmm::PointId(n), 0, 0, 0 } };
-        for (int corner = 1; corner < 4; ++corner)
-        {
-          ++at[axes[corner - 1]];
-          tetrahedron[corner] = mmm::PointId(grid.Offset(at));
-        }
-        const auto & c = tetrahedron;
-        if (mmm::TetrahedronVolume(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]) < 0.0)
-        {
-          std::swap(tetrahedron[0], tetrahedron[1]);
-        }
-        mesh.tetrahedra.push_back(tetrahedron);
-      } while (std::next_permutation(axes.begin(), axes.end()));
-    }
+    mesh.tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
     this->SetMaterials([](const Vector & x) { return (x - Centre()).norm() < 3.8; });
   }
 

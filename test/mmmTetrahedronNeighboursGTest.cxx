@@ -15,6 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "mmmTestTetrahedra.h"
 #include "mmmTetrahedronNeighbours.h"
 
 #include "gtest/gtest.h"
@@ -22,36 +23,11 @@
 #include <algorithm>
 #include <map>
 
-namespace
-{
-/** The tetrahedra of a Freudenthal subdivision of n x n x n cubes. */
-std::vector<mmm::Tetrahedron>
-MakeTetrahedra(int n)
-{
-  const auto number = [n](int i, int j, int k) { return mmm::PointId(i + (n + 1) * (j + (n + 1) * k)); };
-  std::vector<mmm::Tetrahedron> tetrahedra;
-  for (int cube = 0; cube < n * n * n; ++cube)
-  {
-    std::array<int, 3> axes{ { 0, 1, 2 } };
-    do
-    {
-      std::array<int, 3> at{ { cube % n, cube / n % n, cube / (n * n) } };
-      mmm::Tetrahedron   tetrahedron{ { number(at[0], at[1], at[2]), 0, 0, 0 } };
-      for (int corner = 1; corner < 4; ++corner)
-      {
-        ++at[axes[corner - 1]];
-        tetrahedron[corner] = number(at[0], at[1], at[2]);
-      }
-      tetrahedra.push_back(tetrahedron);
-    } while (std::next_permutation(axes.begin(), axes.end()));
-  }
-  return tetrahedra;
-}
-} // namespace
-
 TEST(TetrahedronNeighbours, ShareTheFace)
 {
-  const auto tetrahedra = MakeTetrahedra(4);
+  mmm::Grid grid;
+  grid.size = { { 5, 5, 5 } };
+  const auto tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
   const auto neighbours = mmm::ComputeTetrahedronNeighbours(tetrahedra);
 
   std::map<mmm::Triangle, std::vector<std::uint32_t>> owners;
