@@ -20,6 +20,7 @@
 #include "mmmHash.h"
 #include "mmmParallel.h"
 #include "mmmPointBins.h"
+#include "mmmSpatialOrder.h"
 
 #include <algorithm>
 #include <map>
@@ -146,5 +147,6 @@ SeedInteriorParticles(const IndicatorSet & indicators,
       particles.cells.push_back(entry.first->second);
     }
   }
+  SortInSpace(particles, firstInterior);
 }
 } // namespace mmm

@@ -23,6 +23,7 @@
 #include "mmmInterfaceFit.h"
 #include "mmmInteriorParticles.h"
 #include "mmmMeshOptimizer.h"
+#include "mmmSpatialOrder.h"
 #include "mmmSurfaceStage.h"
 #include "mmmTetGen.h"
 
@@ -181,6 +182,7 @@ BuildMesh(const IndicatorSet &      indicators,
     monitor.BeginStage(RelaxationNames[dimension]);
     report.relaxation[dimension] =
       RelaxParticles(indicators, sizing, dimension, parameters.relaxation, particles, monitor);
+    SortInSpace(particles); // those that were added last, too
   }
 
   monitor.BeginStage("surface");
@@ -215,6 +217,7 @@ BuildMesh(const IndicatorSet &      indicators,
     RelaxationParameters interior = parameters.relaxation;
     interior.maximumSweeps = std::min(interior.maximumSweeps, InteriorSweeps);
     report.relaxation[3] = RelaxParticles(indicators, sizing, 3, interior, all, monitor);
+    SortInSpace(all, particles.Size());
     report.particles[3] = all.Size() - particles.Size();
   }
 

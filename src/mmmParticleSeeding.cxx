@@ -20,6 +20,7 @@
 #include "mmmParallelCollect.h"
 #include "mmmParticles.h"
 #include "mmmPointBins.h"
+#include "mmmSpatialOrder.h"
 
 #include <algorithm>
 
@@ -274,6 +275,7 @@ SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int e
   });
   ParticleSet      particles;
   AddThinned(indicators, sizing, seed, seeds, particles);
+  SortInSpace(particles);
   return particles;
 }
 

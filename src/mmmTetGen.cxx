@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -123,27 +124,41 @@ FillSpace(const std::vector<Vector> & points)
   return eigenvalues[0] > 1e-12 * eigenvalues[2];
 }
 
-/** TetGen's tetrahedra, each turned to positive orientation: its own varies. */
+/** TetGen's tetrahedra, each turned to positive orientation: its own varies. They are sorted by their smallest corners,
+ * so that points that are sorted in space make tetrahedra that are sorted in space. */
 std::vector<Tetrahedron>
 OrientedTetrahedra(const tetgenio & out)
 {
-  std::vector<Tetrahedron> tetrahedra(out.numberoftetrahedra);
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+  const std::size_t count = out.numberoftetrahedra;
+  const auto        smallest = [&out](std::size_t t) {
+    return *std::min_element(out.tetrahedronlist + 4 * t, out.tetrahedronlist + 4 * t + 4);
+  };
+  std::vector<std::size_t> places(out.numberofpoints + 1, 0);
+  for (std::size_t t = 0; t < count; ++t)
   {
-    Vector x[4];
+    ++places[smallest(t) + 1];
+  }
+  std::partial_sum(places.begin(), places.end(), places.begin());
+
+  std::vector<Tetrahedron> tetrahedra(count);
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    Tetrahedron & tetrahedron = tetrahedra[places[smallest(t)]++];
+    Vector        x[4];
     for (int c = 0; c < 4; ++c)
     {
       const int corner = out.tetrahedronlist[4 * t + c];
-      tetrahedra[t][c] = PointId(corner);
+      tetrahedron[c] = PointId(corner);
       std::copy_n(out.pointlist + std::size_t(3) * corner, 3, x[c].data());
     }
     if (TetrahedronVolume(x[0], x[1], x[2], x[3]) < 0.0)
     {
-      std::swap(tetrahedra[t][2], tetrahedra[t][3]);
+      std::swap(tetrahedron[2], tetrahedron[3]);
     }
   }
   return tetrahedra;
 }
+
 /** Points and facets as TetGen takes them, each facet with its number as marker. */
 struct FacetInput
 {
