@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 namespace mmm
 {
@@ -111,6 +112,7 @@ public:
     , m_Adjacency(adjacency)
     , m_Inspector(mesh, adjacency, outside)
     , m_Sizes(indicators.GetNumberOfMaterials() + 1, 0)
+    , m_Defects(points.size(), Unknown)
   {
     for (const Material m : mesh.materials)
     {
@@ -146,44 +148,48 @@ public:
   }
 
 private:
+  static constexpr std::size_t Unknown = std::size_t(-1);
+
   LinkDefects
   FindDefectsAt(const std::vector<PointId> & points) const
   {
     return FindDefects(m_Mesh, m_Adjacency, m_Outside, points);
   }
 
-  /** Tetrahedra, and what they could be. */
+  /** Tetrahedra, what they could be, and how much the indicators are against it. */
   struct Change
   {
     std::vector<std::uint32_t> tetrahedra;
     Material                   material;
+    double                     cost{ 0.0 };
   };
 
-  /** Makes the best one of the changes at a point. Returns how many tetrahedra changed. */
+  /** Makes the change at a point that costs least of those that help. Returns how many tetrahedra changed. */
   std::size_t
   RepairAt(PointId p, bool withPairs)
   {
     std::vector<Change> changes;
     this->ListChanges(p, withPairs, changes);
-    const Change * best = nullptr;
-    double         lowest = 0.0;
-    for (const Change & change : changes)
+    for (Change & change : changes)
     {
-      const double cost = this->CostOf(change);
-      if ((!best || cost < lowest) && this->Gain(change) > 0)
-      {
-        best = &change;
-        lowest = cost;
-      }
+      change.cost = this->CostOf(change);
     }
-    if (!best)
+    std::stable_sort(
+      changes.begin(), changes.end(), [](const Change & a, const Change & b) { return a.cost < b.cost; });
+    const auto best =
+      std::find_if(changes.begin(), changes.end(), [this](const Change & change) { return this->Helps(change); });
+    if (best == changes.end())
     {
       return 0;
     }
     this->Apply(*best);
     for (const auto t : best->tetrahedra)
     {
-      m_Touched.insert(m_Touched.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
+      for (const PointId corner : m_Mesh.tetrahedra[t])
+      {
+        m_Touched.push_back(corner);
+        m_Defects[corner] = Unknown;
+      }
     }
     return best->tetrahedra.size();
   }
@@ -299,19 +305,30 @@ private:
     }
   }
 
-  /** How much the indicators are against it. */
   double
-  CostOf(const Change & change) const
+  CostOf(const Change & change)
   {
     double sum = 0.0;
     for (const auto t : change.tetrahedra)
     {
-      const auto &             c = m_Mesh.tetrahedra[t];
-      const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
-      const double volume = TetrahedronVolume(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
-      sum += volume * (this->SupportOf(support, m_Mesh.materials[t]) - this->SupportOf(support, change.material));
+      sum += this->SupportOf(t, m_Mesh.materials[t]) - this->SupportOf(t, change.material);
     }
     return sum;
+  }
+
+  /** How much the indicators are for a material, by volume. */
+  double
+  SupportOf(std::uint32_t t, Material m)
+  {
+    const auto entry = m_Supports.insert({ (std::uint64_t(t) << 32) | m, 0.0 });
+    if (entry.second)
+    {
+      const auto &             c = m_Mesh.tetrahedra[t];
+      const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
+      entry.first->second =
+        TetrahedronVolume(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]) * this->SupportOf(support, m);
+    }
+    return entry.first->second;
   }
 
   /** What is outside of the box belongs to one of its planes. */
@@ -330,47 +347,57 @@ private:
     return largest;
   }
 
-  /** How many defects fewer there would be; none if a material were lost. */
-  std::ptrdiff_t
-  Gain(const Change & change)
+  /** Whether there would be fewer defects, and no material were lost. */
+  bool
+  Helps(const Change & change)
   {
-    std::vector<PointId> points;
-    for (const auto t : change.tetrahedra)
-    {
-      points.insert(points.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
-    }
-    MakeUnique(points);
+    std::vector<PointId>  points;
     std::vector<Material> own;
     for (const auto t : change.tetrahedra)
     {
+      points.insert(points.end(), m_Mesh.tetrahedra[t].begin(), m_Mesh.tetrahedra[t].end());
       own.push_back(m_Mesh.materials[t]);
     }
-    const auto before = this->CountDefects(points);
+    MakeUnique(points);
+    const std::size_t before = this->CountDefects(points);
     this->Apply(change);
     const bool isLost = std::any_of(own.begin(), own.end(), [&](Material m) { return m_Sizes[this->Slot(m)] == 0; });
-    const auto after = this->CountDefects(points);
+    const bool helps = !isLost && this->HasFewerDefects(points, before);
     for (std::size_t i = 0; i < own.size(); ++i)
     {
       this->SetMaterial(change.tetrahedra[i], own[i]);
     }
-    if (isLost)
-    {
-      return 0;
-    }
-    return before - after;
+    return helps;
   }
 
-  /** An edge between two of the points counts twice, before and after. */
-  std::ptrdiff_t
+  /** Defects as they are. An edge between two of the points counts twice, here as below. */
+  std::size_t
   CountDefects(const std::vector<PointId> & points)
   {
-    std::ptrdiff_t count = 0;
+    std::size_t count = 0;
     for (const PointId p : points)
     {
-      m_Inspector.Inspect(p);
-      count += std::ptrdiff_t(m_Inspector.CountDefects());
+      if (m_Defects[p] == Unknown)
+      {
+        m_Inspector.Inspect(p);
+        m_Defects[p] = m_Inspector.CountDefects();
+      }
+      count += m_Defects[p];
     }
     return count;
+  }
+
+  /** Whether, after a change that may be taken back, there are fewer defects than `limit`. */
+  bool
+  HasFewerDefects(const std::vector<PointId> & points, std::size_t limit)
+  {
+    std::size_t count = 0;
+    for (auto p = points.begin(); p != points.end() && count < limit; ++p)
+    {
+      m_Inspector.Inspect(*p);
+      count += m_Inspector.CountDefects();
+    }
+    return count < limit;
   }
 
   void
@@ -404,6 +431,10 @@ private:
   LinkInspector                m_Inspector;
   /** The number of tetrahedra of each material. */
   std::vector<std::size_t> m_Sizes;
+  /** The defects at each point and its edges, where they are known. */
+  std::vector<std::size_t> m_Defects;
+  /** What SupportOf() gave, by tetrahedron and material. */
+  std::unordered_map<std::uint64_t, double> m_Supports;
   /** Points whose links are not known any more. */
   std::vector<PointId> m_Touched;
 };
