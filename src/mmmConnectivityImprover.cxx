@@ -51,8 +51,7 @@ public:
   bool
   ForTetrahedron(Id t, bool isPoor, ComplexChange & change)
   {
-    return m_EdgeRemover.FindAny(t, change) ||
-           (isPoor && this->AnyEdge(t, [&](PointId a, PointId b) { return m_EdgeCollapser.Find(t, a, b, change); }));
+    return m_EdgeRemover.FindAny(t, change) || (isPoor && m_EdgeCollapser.FindAny(t, change));
   }
 
   bool
@@ -62,16 +61,12 @@ public:
     const double   radiusRatio = this->RadiusRatioOfInterface(t, face) + OptimizerState::LeastGain;
     for (int c = 0; c < 3; ++c)
     {
-      const PointId a = corners[c];
-      const PointId b = corners[(c + 1) % 3];
-      if (m_EdgeRemover.FindForTriangles(t, a, b, change) ||
-          m_EdgeCollapser.FindForTriangles(t, a, b, radiusRatio, change) ||
-          m_EdgeCollapser.FindForTriangles(t, b, a, radiusRatio, change))
+      if (m_EdgeRemover.FindForTriangles(t, corners[c], corners[(c + 1) % 3], change))
       {
         return true;
       }
     }
-    return false;
+    return m_EdgeCollapser.FindForTriangles(t, { corners.begin(), corners.end() }, radiusRatio, change);
   }
 
   /** The radius ratio of a face on an interface; that of other faces does not count. */
@@ -87,17 +82,6 @@ public:
   }
 
 private:
-  /** Calls find(a, b) for the edges of a tetrahedron, both ways, until that finds something. */
-  template <typename TFind>
-  bool
-  AnyEdge(Id t, const TFind & find) const
-  {
-    const Tetrahedron corners = m_State.complex.Corners(t);
-    return std::any_of(std::begin(TetrahedronEdges), std::end(TetrahedronEdges), [&](const auto & edge) {
-      return find(corners[edge[0]], corners[edge[1]]) || find(corners[edge[1]], corners[edge[0]]);
-    });
-  }
-
   const OptimizerState & m_State;
   EdgeRemover            m_EdgeRemover;
   EdgeCollapser          m_EdgeCollapser;
@@ -160,7 +144,10 @@ public:
     const auto candidates = this->Collect([&](Id t, std::vector<Candidate> & list) {
       for (int f = 0; f < 4 && !m_State.IsExterior(t); ++f)
       {
-        const double r = m_Finder.RadiusRatioOfInterface(t, f);
+        // each once: from its other side one finds the same
+        const Id     other = m_State.complex.Neighbour(t, f);
+        const bool   isOthers = other < t && !m_State.IsExterior(other);
+        const double r = isOthers ? 1.0 : m_Finder.RadiusRatioOfInterface(t, f);
         if (r < radiusRatio)
         {
           list.push_back({ r, t, f });

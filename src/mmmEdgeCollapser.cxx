@@ -30,56 +30,88 @@ namespace
 constexpr std::size_t LargestStar = 60;
 } // namespace
 
-/** The materials around a point, sorted, with the exterior where it lies on the outside of the mesh. */
-std::vector<Material>
-EdgeCollapser::MaterialsAround(PointId p, const std::vector<Id> & star) const
+bool
+EdgeCollapser::FindAny(Id t, ComplexChange & change)
+{
+  const Tetrahedron corners = m_State.complex.Corners(t);
+  for (const PointId u : corners)
+  {
+    this->LookAround(u);
+    const double before = m_State.WorstOf(m_Star);
+    const double floor = OptimizerState::TriangleFloor(before);
+    for (const PointId v : corners)
+    {
+      if (v != u && this->MayCollapse(t, u, v, floor) &&
+          this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, change))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool
+EdgeCollapser::FindForTriangles(Id t, const std::vector<PointId> & corners, double radiusRatio, ComplexChange & change)
+{
+  for (const PointId u : corners)
+  {
+    this->LookAround(u);
+    for (const PointId v : corners)
+    {
+      // the tetrahedra take longest to judge, and it is triangles that fail most often
+      if (v != u && this->MayCollapse(t, u, v, radiusRatio) &&
+          this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), change))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void
+EdgeCollapser::LookAround(PointId u)
+{
+  m_State.complex.GetStar(u, m_Star);
+  m_NumberOfMaterials = this->CountMaterialsAround(u, m_Star);
+  m_Fan = m_NumberOfMaterials > 1 ? this->FanOf(u, m_Star) : std::vector<FanTriangle>();
+}
+
+/** How many materials are around a point, with the exterior where it lies on the outside of the mesh. */
+std::size_t
+EdgeCollapser::CountMaterialsAround(PointId p, const std::vector<Id> & star) const
 {
   std::vector<Material> around;
+  const auto            add = [&around](Material m) {
+    if (std::find(around.begin(), around.end(), m) == around.end())
+    {
+      around.push_back(m);
+    }
+  };
   for (const Id t : star)
   {
-    around.push_back(m_State.complex.MaterialOf(t));
+    add(m_State.complex.MaterialOf(t));
     for (int f = 0; f < 4; ++f)
     {
       if (m_State.complex.Corners(t)[f] != p && m_State.complex.Neighbour(t, f) == NoTetrahedron)
       {
-        around.push_back(m_State.exterior);
+        add(m_State.exterior);
       }
     }
   }
-  std::sort(around.begin(), around.end());
-  around.erase(std::unique(around.begin(), around.end()), around.end());
-  return around;
-}
-
-bool
-EdgeCollapser::Find(Id t, PointId u, PointId v, ComplexChange & change)
-{
-  m_State.complex.GetStar(u, m_Star);
-  const double before = m_State.WorstOf(m_Star);
-  return this->MayCollapse(t, u, v, OptimizerState::TriangleFloor(before)) &&
-         this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, change);
-}
-
-bool
-EdgeCollapser::FindForTriangles(Id t, PointId u, PointId v, double radiusRatio, ComplexChange & change)
-{
-  m_State.complex.GetStar(u, m_Star);
-  // the tetrahedra take longest to judge, and it is triangles that fail most often
-  return this->MayCollapse(t, u, v, radiusRatio) &&
-         this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), change);
+  return around.size();
 }
 
 /** Whether the interfaces around u let it go to v, with triangles at least as good as `floor`. */
 bool
 EdgeCollapser::MayCollapse(Id t, PointId u, PointId v, double floor)
 {
-  if (m_Star.size() > LargestStar)
+  if (m_Star.size() > LargestStar || m_NumberOfMaterials > 3)
   {
     return false;
   }
-  const std::size_t materials = this->MaterialsAround(u, m_Star).size();
-  return materials == 1 || (materials <= 3 && this->IsOnCellOf(u, v, materials) &&
-                            this->MayCollapseOnInterface(t, u, v, int(materials), floor));
+  return m_NumberOfMaterials == 1 || (this->IsOnCellOf(u, v) && this->MayCollapseOnInterface(t, u, v, floor));
 }
 
 /** All new tetrahedra have to be better than `enough`. */
@@ -149,14 +181,14 @@ EdgeCollapser::LinksMeetInRing(Id t, PointId u, PointId v)
 /** Whether u, where some materials meet, lies on a surface or a curve of as many, which v is on or at the end of. What
  * is no particle has joined a surface, on which the edge then runs. */
 bool
-EdgeCollapser::IsOnCellOf(PointId u, PointId v, std::size_t materials) const
+EdgeCollapser::IsOnCellOf(PointId u, PointId v) const
 {
   const auto & cells = m_State.constraint.Cells();
   if (u >= cells.size())
   {
-    return materials == 2 && v < cells.size();
+    return m_NumberOfMaterials == 2 && v < cells.size();
   }
-  return v < cells.size() && cells[u].count == materials && cells[v].Includes(cells[u]);
+  return v < cells.size() && cells[u].count == m_NumberOfMaterials && cells[v].Includes(cells[u]);
 }
 
 /** The triangles of interfaces around p, by their corners besides p. */
@@ -214,8 +246,9 @@ EdgeCollapser::EndsOf(const std::vector<FanTriangle> & fan, bool onCurves)
  * share no other points of sheets, no edges opposite them, and no other points of curves (the link condition). No
  * triangle may turn over, get too flat, or leave the zero set. */
 bool
-EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials, double floor)
+EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, double floor)
 {
+  const int materials = int(m_NumberOfMaterials);
   m_State.complex.GetRing(t, u, v, m_Ring);
   int       cuts = m_Ring.closed ? 0 : 2;
   const int count = int(m_Ring.tetrahedra.size());
@@ -248,15 +281,14 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
            (materials == 2 || (isNear(triangle, 0.5 * (p + y)) && isNear(triangle, 0.5 * (q + y))));
   };
   // what fails most often comes first
-  const auto fan = this->FanOf(u, m_Star);
-  if (!std::all_of(fan.begin(), fan.end(), staysGood))
+  if (!std::all_of(m_Fan.begin(), m_Fan.end(), staysGood))
   {
     return false;
   }
   m_State.complex.GetStar(v, m_OtherStar);
   const auto otherFan = this->FanOf(v, m_OtherStar);
   const auto countCommon = [&](bool onCurves) {
-    const auto           ofU = EndsOf(fan, onCurves);
+    const auto           ofU = EndsOf(m_Fan, onCurves);
     const auto           ofV = EndsOf(otherFan, onCurves);
     std::vector<PointId> common;
     std::set_intersection(ofU.begin(), ofU.end(), ofV.begin(), ofV.end(), std::back_inserter(common));
@@ -268,7 +300,7 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, int materials,
   }
   // two triangles would become one, and what is between them vanish
   const auto isOfU = [&](const FanTriangle & other) {
-    return std::any_of(fan.begin(), fan.end(), [&](const FanTriangle & triangle) {
+    return std::any_of(m_Fan.begin(), m_Fan.end(), [&](const FanTriangle & triangle) {
       return std::minmax(triangle.b, triangle.c) == std::minmax(other.b, other.c);
     });
   };

@@ -31,13 +31,17 @@ public:
     : m_State(state)
   {}
 
-  /** Whether pulling point u into point v makes the worst tetrahedron around u better. A point of the interior may go
-   * anywhere; one of a surface or a curve along it, by the link condition. */
+  /** Whether any corner of a tetrahedron may be pulled into another one, so that the worst tetrahedron around it gets
+   * better. A point of the interior may go anywhere; one of a surface or a curve along it, by the link condition. */
   bool
-  Find(OptimizerState::Id t, PointId u, PointId v, ComplexChange & change);
-  /** Whether all triangles of the interface around u are better than a radius ratio if it is pulled into point v. */
+  FindAny(OptimizerState::Id t, ComplexChange & change);
+  /** Whether any of some corners of a tetrahedron may be pulled into another of them, so that all triangles of
+   * interfaces around it get better than a radius ratio. */
   bool
-  FindForTriangles(OptimizerState::Id t, PointId u, PointId v, double radiusRatio, ComplexChange & change);
+  FindForTriangles(OptimizerState::Id           t,
+                   const std::vector<PointId> & corners,
+                   double                       radiusRatio,
+                   ComplexChange &              change);
 
 private:
   /** A triangle of an interface at some point, by its other corners, and the materials beside it. */
@@ -49,26 +53,31 @@ private:
     Material beyond;
   };
 
+  void
+  LookAround(PointId u);
   bool
   MayCollapse(OptimizerState::Id t, PointId u, PointId v, double floor);
   bool
   CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, ComplexChange & change);
-  std::vector<Material>
-  MaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
+  std::size_t
+  CountMaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
   bool
   LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
   bool
-  IsOnCellOf(PointId u, PointId v, std::size_t materials) const;
+  IsOnCellOf(PointId u, PointId v) const;
   std::vector<FanTriangle>
   FanOf(PointId p, const std::vector<OptimizerState::Id> & star) const;
   static std::vector<PointId>
   EndsOf(const std::vector<FanTriangle> & fan, bool onCurves);
   bool
-  MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, int materials, double floor);
+  MayCollapseOnInterface(OptimizerState::Id t, PointId u, PointId v, double floor);
 
-  const OptimizerState &          m_State;
-  TetrahedralComplex::Ring        m_Ring;
+  const OptimizerState &   m_State;
+  TetrahedralComplex::Ring m_Ring;
+  /** What is around u: tetrahedra, materials, and triangles of interfaces. */
   std::vector<OptimizerState::Id> m_Star;
+  std::size_t                     m_NumberOfMaterials{ 0 };
+  std::vector<FanTriangle>        m_Fan;
   std::vector<OptimizerState::Id> m_OtherStar;
 };
 } // namespace mmm

@@ -188,15 +188,12 @@ SideChanger::CloseGap(Id t, PointId a, PointId b, Material material)
   const double   least = QualityOfAngle(m_State.parameters.angleToKeepBesideTriangles);
   const double   radiusRatio = OptimizerState::TriangleFloor(m_State.Quality(t));
   const Material own = m_State.complex.MaterialOf(t);
-  const auto     find = [&](PointId u, PointId v, ComplexChange & change) {
-    return m_EdgeCollapser.FindForTriangles(t, u, v, radiusRatio, change) &&
-           std::all_of(change.fresh.begin(), change.fresh.end(), [&](const OptimizerState::Element & element) {
-             return m_State.Quality(element.corners, element.material) > least;
-           });
-  };
   m_State.complex.SetMaterial(t, material);
   ComplexChange change;
-  if (!find(a, b, change) && !find(b, a, change))
+  if (!m_EdgeCollapser.FindForTriangles(t, { a, b }, radiusRatio, change) ||
+      !std::all_of(change.fresh.begin(), change.fresh.end(), [&](const OptimizerState::Element & element) {
+        return m_State.Quality(element.corners, element.material) > least;
+      }))
   {
     m_State.complex.SetMaterial(t, own);
     return false;

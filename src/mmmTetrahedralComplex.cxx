@@ -31,6 +31,18 @@ CornerOf(const Tetrahedron & corners, PointId point)
 {
   return int(std::find(corners.begin(), corners.end(), point) - corners.begin());
 }
+
+/** As std::find() tells; without an early end, which compilers make several comparisons at once of. */
+bool
+Has(const std::vector<TetrahedralComplex::Id> & tetrahedra, TetrahedralComplex::Id t)
+{
+  bool found = false;
+  for (const auto other : tetrahedra)
+  {
+    found |= other == t;
+  }
+  return found;
+}
 } // namespace
 
 TetrahedralComplex::TetrahedralComplex(const TetrahedralMesh & mesh, std::size_t numberOfPoints)
@@ -72,8 +84,7 @@ TetrahedralComplex::GetStar(PointId point, std::vector<Id> & star) const
     for (int f = 0; f < 4; ++f)
     {
       const Id other = m_Neighbours[t][f];
-      if (m_Corners[t][f] != point && other != NoTetrahedron &&
-          std::find(star.begin(), star.end(), other) == star.end())
+      if (m_Corners[t][f] != point && other != NoTetrahedron && !Has(star, other))
       {
         star.push_back(other);
       }
