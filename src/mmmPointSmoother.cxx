@@ -42,6 +42,11 @@ DerivativeOfWorth(double radiusRatio)
 {
   return 1.0 + 0.5 / ((radiusRatio + 0.05) * (radiusRatio + 0.05));
 }
+/** Steps uphill, in units of the distance to the nearest neighbor. */
+constexpr double LongestStep = 0.2;
+constexpr double TrialStep = 0.06;
+constexpr double ShortestStep = 0.01;
+constexpr int    Trials = 3;
 /** For the sake of tetrahedra, a particle leaves its cell, within the tolerance, only where one has an angle below
  * this, in degrees. */
 constexpr double AngleToLeaveCell = 20.0;
@@ -234,9 +239,19 @@ PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)
   {
     return false;
   }
-  for (double step = 0.16; step > 0.015; step *= 0.5)
+  const auto at = [&](double step) { return Vector(from + gradient * (step * shortest / length)); };
+  // to the top of the parabola that has the total and its slope here, and the total at a trial
+  double step = LongestStep;
+  Vector x = at(TrialStep);
+  if (admit(x))
   {
-    Vector x = from + gradient * (step * shortest / length);
+    const double slope = length * shortest;
+    const double bend = slope - (this->TotalAround(p, x) - total) / TrialStep;
+    step = bend > 0.0 ? std::min(LongestStep, 0.5 * slope * TrialStep / bend) : LongestStep;
+  }
+  for (int trial = 0; trial < Trials && step > ShortestStep; ++trial, step *= 0.5)
+  {
+    x = at(step);
     if (admit(x) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
     {
       m_Points[p] = x;
