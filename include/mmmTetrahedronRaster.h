@@ -50,21 +50,25 @@ VisitIndicesInside(const Index &                 lower,
                    double                        reach,
                    TVisitor &&                   visit)
 {
-  Vector normals[4];
-  double offsets[4];
-  int    low[3];
-  int    high[3];
-  for (int f = 0; f < 4; ++f)
-  {
-    const Vector & a = corners[TetrahedronFaces[f][0]];
-    normals[f] = (corners[TetrahedronFaces[f][1]] - a).cross(corners[TetrahedronFaces[f][2]] - a).normalized();
-    offsets[f] = normals[f].dot(a) + reach;
-  }
+  int low[3];
+  int high[3];
   for (int a = 0; a < 3; ++a)
   {
     const auto coordinates = { corners[0][a], corners[1][a], corners[2][a], corners[3][a] };
     low[a] = std::max(lower[a], int(std::ceil(std::min(coordinates) - reach)));
     high[a] = std::min(upper[a], int(std::floor(std::max(coordinates) + reach)));
+    if (low[a] > high[a])
+    {
+      return;
+    }
+  }
+  Vector normals[4];
+  double offsets[4];
+  for (int f = 0; f < 4; ++f)
+  {
+    const Vector & a = corners[TetrahedronFaces[f][0]];
+    normals[f] = (corners[TetrahedronFaces[f][1]] - a).cross(corners[TetrahedronFaces[f][2]] - a).normalized();
+    offsets[f] = normals[f].dot(a) + reach;
   }
   for (int k = low[2]; k <= high[2]; ++k)
   {

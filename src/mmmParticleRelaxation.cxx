@@ -20,6 +20,8 @@
 #include "mmmParticles.h"
 #include "mmmPointBins.h"
 
+#include "itkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -223,10 +225,10 @@ private:
     Vector          force = Vector::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
     this->VisitPairs(p, [&](std::uint32_t, const Vector & offset, double d, double scale) {
-      const double angle = 0.5 * EIGEN_PI * d;
+      const double angle = 0.5 * itk::Math::pi * d;
       const double cotangent = 1.0 / std::tan(angle);
-      const double slope = 0.5 * EIGEN_PI * cotangent * cotangent;
-      const double curvature = 0.5 * EIGEN_PI * EIGEN_PI * cotangent * (1.0 + cotangent * cotangent);
+      const double slope = 0.5 * itk::Math::pi * cotangent * cotangent;
+      const double curvature = 0.5 * itk::Math::pi * itk::Math::pi * cotangent * (1.0 + cotangent * cotangent);
       const Vector u = offset / (d * scale);
       force -= slope / scale * u;
       hessian += curvature / (scale * scale) * u * u.transpose();
@@ -352,8 +354,8 @@ private:
   {
     double energy = 0.0;
     this->VisitPairs(p, [&](std::uint32_t, const Vector &, double d, double) {
-      const double angle = 0.5 * EIGEN_PI * d;
-      energy += 1.0 / std::tan(angle) + angle - 0.5 * EIGEN_PI;
+      const double angle = 0.5 * itk::Math::pi * d;
+      energy += 1.0 / std::tan(angle) + angle - 0.5 * itk::Math::pi;
     });
     return energy;
   }
@@ -430,7 +432,7 @@ private:
       const Vector  v = direction.cross(u);
       for (int n = 0; n < Count; ++n)
       {
-        const double angle = 2.0 * EIGEN_PI * n / Count;
+        const double angle = 2.0 * itk::Math::pi * n / Count;
         places.push_back(std::cos(angle) * u + std::sin(angle) * v);
       }
     }

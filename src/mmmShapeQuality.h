@@ -20,6 +20,8 @@
 
 #include "mmmTetrahedronQuality.h"
 
+#include "itkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,7 @@ MaterialQuality(const Vector & a, const Vector & b, const Vector & c, const Vect
 inline double
 QualityOfAngle(double degrees)
 {
-  return (1.0 - std::cos(degrees * EIGEN_PI / 180.0)) * 1.5;
+  return (1.0 - std::cos(degrees * itk::Math::pi / 180.0)) * 1.5;
 }
 } // namespace mmm
 

@@ -19,6 +19,8 @@
 
 #include "mmmTetrahedronQuality.h"
 
+#include "itkMath.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -136,7 +138,7 @@ SurfaceConnectivity::CountValences(const std::vector<Vector> & points)
   }
   for (std::size_t p = 0; p < m_Excess.size(); ++p)
   {
-    m_Excess[p] -= std::max(1, int(std::lround(angles[p] / (EIGEN_PI / 3.0))));
+    m_Excess[p] -= std::max(1, int(std::lround(angles[p] / (itk::Math::pi / 3.0))));
   }
 }
 

@@ -20,6 +20,8 @@
 #include "mmmDisjointSets.h"
 #include "mmmIncidence.h"
 
+#include "itkMath.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +61,7 @@ TriangulationConstraint::TriangulationConstraint(const std::vector<Vector> & poi
   : InterfaceConstraint(std::vector<Cell>(points.size()))
   , m_Outside(outside)
   , m_Tolerance(tolerance)
-  , m_LeastCosine(std::cos(featureAngle * EIGEN_PI / 180.0))
+  , m_LeastCosine(std::cos(featureAngle * itk::Math::pi / 180.0))
   , m_Points(points)
   , m_Interfaces(ExtractInterfaces(mesh, outside))
   , m_Homes(points.size())
