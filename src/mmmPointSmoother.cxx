@@ -381,7 +381,8 @@ PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit 
   }
   return SearchAround(0.2 * size, 0.01 * size, [&](double step, const Vector & direction) {
     Vector x = m_Points[p] + step * along(direction);
-    if (!admit(x))
+    // what `admit` changes is little, and takes longest
+    if (!(this->WorstTriangleAround(p, x) > worst) || !admit(x))
     {
       return false;
     }
