@@ -62,9 +62,10 @@ constexpr Floor CentreFloor{ 26.0, 0.93 };
 /** Likewise a triangle whose points make room. */
 constexpr double TriangleBesideRoom = 0.8;
 
-/** How far x is from a tetrahedron: the largest distance beyond the plane of a face, negative inside. */
+/** How far x is from a tetrahedron: the largest distance beyond the plane of a face, negative inside. The search ends
+ * early at one that is not below `enough`. */
 double
-DepthOutside(const std::array<const Vector *, 4> & corners, const Vector & x)
+DepthOutside(const std::array<const Vector *, 4> & corners, const Vector & x, double enough)
 {
   double depth = -1e300;
   for (const auto & face : TetrahedronFaces)
@@ -72,6 +73,10 @@ DepthOutside(const std::array<const Vector *, 4> & corners, const Vector & x)
     const Vector & a = *corners[face[0]];
     const Vector   normal = (*corners[face[1]] - a).cross(*corners[face[2]] - a); // outwards
     depth = std::max(depth, normal.dot(x - a) / normal.norm());
+    if (depth >= enough)
+    {
+      break;
+    }
   }
   return depth;
 }
@@ -263,7 +268,7 @@ private:
           const PointId corner = m_Tetrahedra[*s][c];
           corners[c] = corner == p ? &x : &m_Points[corner];
         }
-        depth = std::min(depth, DepthOutside(corners, centre));
+        depth = std::min(depth, DepthOutside(corners, centre, depth));
       }
     }
     return std::max(0.0, depth);
