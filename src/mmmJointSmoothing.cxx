@@ -34,7 +34,8 @@ constexpr double Enough = 1.1;
 /** Corners move by up to this at once, in units of the longest edge at the first one. */
 constexpr double LongestMove = 0.1;
 /** Nothing is worse. */
-constexpr double Inverted = -1.0;
+constexpr double Worst = -1e300;
+constexpr double Negligible = 1e-9;
 
 /** A number in [-1, 1). */
 double
@@ -46,15 +47,28 @@ Draw(std::uint64_t & state)
 } // namespace
 
 /** How the worst tetrahedron and the worst triangle around some points are: 1 on the verge of poor, what is well beyond
- * that counts alike. */
+ * that counts alike. The search ends early where one of them is below `enough`. */
 PointSmoother::Worth
-PointSmoother::WorthAround(const std::vector<PointId> & points, double poorQuality) const
+PointSmoother::WorthAround(const std::vector<PointId> & points, double poorQuality, const Worth & enough) const
 {
   Worth worth{ Enough, Enough };
   for (const PointId p : points)
   {
     worth.triangle = std::min(worth.triangle, this->WorstTriangleAround(p, m_Points[p]) / m_Parameters.flatTriangle);
-    worth.tetrahedron = std::min(worth.tetrahedron, this->WorstAround(p, m_Points[p], Inverted) / poorQuality);
+    if (worth.triangle < enough.triangle)
+    {
+      return worth;
+    }
+  }
+  for (const PointId p : points)
+  {
+    worth.tetrahedron =
+      std::min(worth.tetrahedron,
+               this->WorstAround(p, m_Points[p], (enough.tetrahedron - Negligible) * poorQuality) / poorQuality);
+    if (worth.tetrahedron < enough.tetrahedron)
+    {
+      return worth;
+    }
   }
   return worth;
 }
@@ -97,7 +111,7 @@ PointSmoother::MoveTogether(const std::vector<PointId> & corners, double poorQua
     m_Points[p] = isThere ? x : m_Points[p];
   };
   bool                hasMoved = false;
-  Worth               worth = this->WorthAround(points, poorQuality);
+  Worth               worth = this->WorthAround(points, poorQuality, { Worst, Worst });
   std::uint64_t       state = corners[0];
   std::vector<Vector> before(points.size());
   for (int trial = 0; trial < Trials && std::min(worth.triangle, worth.tetrahedron) < Enough; ++trial)
@@ -111,7 +125,7 @@ PointSmoother::MoveTogether(const std::vector<PointId> & corners, double poorQua
       const double z = Draw(state);
       place(n, before[n] + step * Vector(x, y, z));
     }
-    const Worth reached = this->WorthAround(points, poorQuality);
+    const Worth reached = this->WorthAround(points, poorQuality, worth);
     if (reached.triangle >= worth.triangle && reached.tetrahedron >= worth.tetrahedron &&
         (reached.triangle > worth.triangle || reached.tetrahedron > worth.tetrahedron))
     {

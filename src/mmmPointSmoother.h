@@ -77,7 +77,7 @@ private:
     double tetrahedron;
   };
   Worth
-  WorthAround(const std::vector<PointId> & points, double poorQuality) const;
+  WorthAround(const std::vector<PointId> & points, double poorQuality, const Worth & enough) const;
   bool
   MoveTogether(const std::vector<PointId> & corners, double poorQuality);
 };
