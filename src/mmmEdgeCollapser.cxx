@@ -56,6 +56,10 @@ EdgeCollapser::FindForTriangles(Id t, const std::vector<PointId> & corners, doub
 {
   for (const PointId u : corners)
   {
+    if (std::none_of(corners.begin(), corners.end(), [&](PointId v) { return v != u && this->MayBeOnCellOf(u, v); }))
+    {
+      continue;
+    }
     this->LookAround(u);
     for (const PointId v : corners)
     {
@@ -184,11 +188,15 @@ bool
 EdgeCollapser::IsOnCellOf(PointId u, PointId v) const
 {
   const auto & cells = m_State.constraint.Cells();
-  if (u >= cells.size())
-  {
-    return m_NumberOfMaterials == 2 && v < cells.size();
-  }
-  return v < cells.size() && cells[u].count == m_NumberOfMaterials && cells[v].Includes(cells[u]);
+  return m_NumberOfMaterials == (u < cells.size() ? cells[u].count : 2) && this->MayBeOnCellOf(u, v);
+}
+
+/** Whether that depends on the materials around u. */
+bool
+EdgeCollapser::MayBeOnCellOf(PointId u, PointId v) const
+{
+  const auto & cells = m_State.constraint.Cells();
+  return v < cells.size() && (u >= cells.size() || cells[v].Includes(cells[u]));
 }
 
 /** The triangles of interfaces around p, by their corners besides p. */

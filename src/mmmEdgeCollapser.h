@@ -65,6 +65,8 @@ private:
   LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
   bool
   IsOnCellOf(PointId u, PointId v) const;
+  bool
+  MayBeOnCellOf(PointId u, PointId v) const;
   std::vector<FanTriangle>
   FanOf(PointId p, const std::vector<OptimizerState::Id> & star) const;
   static std::vector<PointId>
