@@ -89,8 +89,8 @@ struct RelaxationReport
  *
  * Every dual cube of the grid whose corners disagree starts one particle for each pair, triple and quadruple of its
  * materials, by projection; it stays where those materials are the largest. Then Poisson-disk thinning in units of h,
- * lower cells first, in an order drawn by `seed`. `exterior` (or -1) and the planes bound no interface between
- * themselves. */
+ * lower cells first, in an order drawn by `seed`. Those that are left are sorted in space, see SpatialOrder().
+ * `exterior` (or -1) and the planes bound no interface between themselves. */
 MultiMaterialMeshing_EXPORT ParticleSet
 SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed);
 

@@ -20,6 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmParticles.h"
+#include "mmmTetrahedralMesh.h"
 
 #include <cstddef>
 #include <vector>
@@ -27,7 +28,7 @@
 namespace mmm
 {
 /** The points from number `first` on in an order in which neighbors in space mostly are neighbors in memory: along a
- * Z-order curve (Morton, 1966) through their bounding box. Work on points in this order is several times quicker. */
+ * Z-order curve (Morton, 1966) through their bounding box. */
 MultiMaterialMeshing_EXPORT std::vector<PointId>
                             SpatialOrder(const std::vector<Vector> & points, std::size_t first = 0);
 

@@ -23,15 +23,16 @@
 
 namespace mmm
 {
-/** The Delaunay tetrahedralization of a set of points, positively oriented. Throws itk::ExceptionObject with TetGen's
- * own words where it fails. */
+/** The Delaunay tetrahedralization of a set of points, positively oriented and sorted by smallest corners. Throws
+ * itk::ExceptionObject with TetGen's own words where it fails. */
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
                             DelaunayTetrahedralization(const std::vector<Vector> & points);
 
 /** \brief The constrained Delaunay tetrahedralization of facets, without Steiner points on them, up to the convex hull.
  *
- * `points` holds the facets' points and others. Points keep their numbers; those that TetGen had to add between the
- * facets in order to recover them are appended. Throws itk::ExceptionObject with TetGen's own words where it fails. */
+ * Tetrahedra are oriented and sorted likewise. `points` holds the facets' points and others. Points keep their numbers;
+ * those that TetGen had to add between the facets in order to recover them are appended. Throws itk::ExceptionObject
+ * with TetGen's own words where it fails. */
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);
 } // namespace mmm

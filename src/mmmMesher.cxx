@@ -182,7 +182,6 @@ BuildMesh(const IndicatorSet &      indicators,
     monitor.BeginStage(RelaxationNames[dimension]);
     report.relaxation[dimension] =
       RelaxParticles(indicators, sizing, dimension, parameters.relaxation, particles, monitor);
-    SortInSpace(particles); // those that were added last, too
   }
 
   monitor.BeginStage("surface");

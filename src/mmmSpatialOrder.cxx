@@ -28,7 +28,8 @@ namespace
 {
 constexpr std::size_t Grain = 4096;
 /** Three coordinates of so many bits make a key. */
-constexpr int Bits = 21;
+constexpr int    Bits = 21;
+constexpr double Largest = (1 << Bits) - 1;
 
 /** Moves each of the lowest 21 bits to three times its place. */
 std::uint64_t
@@ -58,7 +59,7 @@ SpatialOrder(const std::vector<Vector> & points, std::size_t first)
     upper = upper.cwiseMax(points[p]);
   }
   const double extent = (upper - lower).maxCoeff();
-  const double scale = extent > 0.0 ? ((1 << Bits) - 1) / extent : 0.0;
+  const double scale = extent > 0.0 ? Largest / extent : 0.0;
 
   std::vector<std::pair<std::uint64_t, PointId>> keys(points.size() - first);
   ParallelFor(keys.size(), Grain, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +68,9 @@ SpatialOrder(const std::vector<Vector> & points, std::size_t first)
       std::uint64_t key = 0;
       for (int a = 0; a < 3; ++a)
       {
-        key |= Spread(std::uint64_t((points[first + n][a] - lower[a]) * scale)) << a;
+        // what is no number comes first
+        const double place = (points[first + n][a] - lower[a]) * scale;
+        key |= Spread(place > 0.0 ? std::uint64_t(std::min(place, Largest)) : 0) << a;
       }
       keys[n] = { key, PointId(first + n) };
     }

@@ -23,6 +23,7 @@
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
+#include "mmmSpatialOrder.h"
 #include "mmmStuckTetrahedra.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
@@ -272,6 +273,7 @@ private:
   void
   Triangulate()
   {
+    SortInSpace(m_Particles); // some have been added at the end
     m_Labelled.tetrahedra = TetrahedralizeWithin(m_Indicators.GetGrid(), m_Particles.positions);
     m_Labelled.materials = LabelTetrahedra(m_Indicators, m_Particles, m_Labelled.tetrahedra, m_Exterior);
     m_Adjacency.emplace(m_Labelled.tetrahedra, m_Particles.Size());

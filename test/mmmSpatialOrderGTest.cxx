@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace
@@ -91,6 +92,16 @@ TEST(SpatialOrder, TakesPointsThatCoincide)
   EXPECT_EQ(mmm::SpatialOrder(points), (std::vector<mmm::PointId>{ 0, 1, 2 }));
 }
 
+TEST(SpatialOrder, TakesPointsThatAreNoNumbers)
+{
+  auto points = RandomPoints(10);
+  points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  points[5][2] = std::numeric_limits<double>::infinity();
+  auto order = mmm::SpatialOrder(points);
+  std::sort(order.begin(), order.end());
+  EXPECT_EQ(order, (std::vector<mmm::PointId>{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 }));
+}
+
 TEST(SpatialOrder, OfNothingIsEmpty) { EXPECT_TRUE(mmm::SpatialOrder({}).empty()); }
 
 TEST(SpatialOrder, OfParticlesLeavesThemOnTheirCells)
@@ -106,6 +117,7 @@ TEST(SpatialOrder, OfParticlesLeavesThemOnTheirCells)
   mmm::SortInSpace(particles, 50);
   EXPECT_TRUE(std::equal(before.positions.begin(), before.positions.begin() + 50, particles.positions.begin()));
   ASSERT_EQ(particles.Size(), before.Size());
+  EXPECT_NE(particles.positions, before.positions);
   for (std::size_t p = 0; p < particles.Size(); ++p)
   {
     EXPECT_EQ(particles.cells[p], particles.positions[p][0] < 0.5 ? 0u : 1u);
