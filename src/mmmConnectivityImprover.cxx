@@ -66,7 +66,8 @@ public:
         return true;
       }
     }
-    return m_EdgeCollapser.FindForTriangles(t, { corners.begin(), corners.end() }, radiusRatio, change);
+    return m_EdgeCollapser.FindForTriangles(
+      t, { corners.begin(), corners.end() }, radiusRatio, OptimizerState::AnyQuality, change);
   }
 
   /** The radius ratio of a face on an interface; that of other faces does not count. */
@@ -144,7 +145,7 @@ public:
     const auto candidates = this->Collect([&](Id t, std::vector<Candidate> & list) {
       for (int f = 0; f < 4 && !m_State.IsExterior(t); ++f)
       {
-        // each once: from its other side one finds the same
+        // each once: one finds the same from its other side, or something in the next round
         const Id     other = m_State.complex.Neighbour(t, f);
         const bool   isOthers = other < t && !m_State.IsExterior(other);
         const double r = isOthers ? 1.0 : m_Finder.RadiusRatioOfInterface(t, f);

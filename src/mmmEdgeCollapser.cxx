@@ -36,7 +36,10 @@ EdgeCollapser::FindAny(Id t, ComplexChange & change)
   const Tetrahedron corners = m_State.complex.Corners(t);
   for (const PointId u : corners)
   {
-    this->LookAround(u);
+    if (!this->LookAround(u))
+    {
+      continue;
+    }
     const double before = m_State.WorstOf(m_Star);
     const double floor = OptimizerState::TriangleFloor(before);
     for (const PointId v : corners)
@@ -52,20 +55,25 @@ EdgeCollapser::FindAny(Id t, ComplexChange & change)
 }
 
 bool
-EdgeCollapser::FindForTriangles(Id t, const std::vector<PointId> & corners, double radiusRatio, ComplexChange & change)
+EdgeCollapser::FindForTriangles(Id                           t,
+                                const std::vector<PointId> & corners,
+                                double                       radiusRatio,
+                                double                       quality,
+                                ComplexChange &              change)
 {
   for (const PointId u : corners)
   {
-    if (std::none_of(corners.begin(), corners.end(), [&](PointId v) { return v != u && this->MayBeOnCellOf(u, v); }))
+    const auto mayGoTo = [&](PointId v) { return v != u && this->MayBeOnCellOf(u, v); };
+    if (std::none_of(corners.begin(), corners.end(), mayGoTo) || !this->LookAround(u))
     {
       continue;
     }
-    this->LookAround(u);
     for (const PointId v : corners)
     {
       // the tetrahedra take longest to judge, and it is triangles that fail most often
-      if (v != u && this->MayCollapse(t, u, v, radiusRatio) &&
-          this->CollapseStar(t, u, v, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star)), change))
+      if (mayGoTo(v) && this->MayCollapse(t, u, v, radiusRatio) &&
+          this->CollapseStar(
+            t, u, v, std::max(quality, m_State.EnoughBesideTriangles(m_State.WorstOf(m_Star))), change))
       {
         return true;
       }
@@ -74,12 +82,18 @@ EdgeCollapser::FindForTriangles(Id t, const std::vector<PointId> & corners, doub
   return false;
 }
 
-void
+/** Finds what is around u. Returns false where that is too much for u to go anywhere. */
+bool
 EdgeCollapser::LookAround(PointId u)
 {
   m_State.complex.GetStar(u, m_Star);
   m_NumberOfMaterials = this->CountMaterialsAround(u, m_Star);
+  if (m_Star.size() > LargestStar || m_NumberOfMaterials > 3)
+  {
+    return false;
+  }
   m_Fan = m_NumberOfMaterials > 1 ? this->FanOf(u, m_Star) : std::vector<FanTriangle>();
+  return true;
 }
 
 /** How many materials are around a point, with the exterior where it lies on the outside of the mesh. */
@@ -111,10 +125,6 @@ EdgeCollapser::CountMaterialsAround(PointId p, const std::vector<Id> & star) con
 bool
 EdgeCollapser::MayCollapse(Id t, PointId u, PointId v, double floor)
 {
-  if (m_Star.size() > LargestStar || m_NumberOfMaterials > 3)
-  {
-    return false;
-  }
   return m_NumberOfMaterials == 1 || (this->IsOnCellOf(u, v) && this->MayCollapseOnInterface(t, u, v, floor));
 }
 
@@ -191,7 +201,7 @@ EdgeCollapser::IsOnCellOf(PointId u, PointId v) const
   return m_NumberOfMaterials == (u < cells.size() ? cells[u].count : 2) && this->MayBeOnCellOf(u, v);
 }
 
-/** Whether that depends on the materials around u. */
+/** Whether v is on the cell of u or at its end, whatever materials are around u. */
 bool
 EdgeCollapser::MayBeOnCellOf(PointId u, PointId v) const
 {

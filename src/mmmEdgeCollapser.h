@@ -35,12 +35,14 @@ public:
    * better. A point of the interior may go anywhere; one of a surface or a curve along it, by the link condition. */
   bool
   FindAny(OptimizerState::Id t, ComplexChange & change);
-  /** Whether any of some corners of a tetrahedron may be pulled into another of them, so that all triangles of
-   * interfaces around it get better than a radius ratio. */
+  /** Whether any of some corners of a tetrahedron, which lie on an interface, may be pulled into another of them, so
+   * that all triangles of interfaces around it get better than a radius ratio. New tetrahedra are better than
+   * `quality`, and no worse than may be for the sake of triangles. */
   bool
   FindForTriangles(OptimizerState::Id           t,
                    const std::vector<PointId> & corners,
                    double                       radiusRatio,
+                   double                       quality,
                    ComplexChange &              change);
 
 private:
@@ -53,7 +55,7 @@ private:
     Material beyond;
   };
 
-  void
+  bool
   LookAround(PointId u);
   bool
   MayCollapse(OptimizerState::Id t, PointId u, PointId v, double floor);

@@ -34,7 +34,8 @@ constexpr double Enough = 1.1;
 /** Corners move by up to this at once, in units of the longest edge at the first one. */
 constexpr double LongestMove = 0.1;
 /** Nothing is worse. */
-constexpr double Worst = -1e300;
+constexpr double NoLimit = -1e300;
+/** What is worse by this is no worse. */
 constexpr double Negligible = 1e-9;
 
 /** A number in [-1, 1). */
@@ -111,7 +112,7 @@ PointSmoother::MoveTogether(const std::vector<PointId> & corners, double poorQua
     m_Points[p] = isThere ? x : m_Points[p];
   };
   bool                hasMoved = false;
-  Worth               worth = this->WorthAround(points, poorQuality, { Worst, Worst });
+  Worth               worth = this->WorthAround(points, poorQuality, { NoLimit, NoLimit });
   std::uint64_t       state = corners[0];
   std::vector<Vector> before(points.size());
   for (int trial = 0; trial < Trials && std::min(worth.triangle, worth.tetrahedron) < Enough; ++trial)

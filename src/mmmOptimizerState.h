@@ -34,6 +34,8 @@ struct OptimizerState
 
   /** An operation has to raise the worst quality by this much. */
   static constexpr double LeastGain = 1e-6;
+  /** A floor that nothing is below. */
+  static constexpr double AnyQuality = -2.0;
   /** A floor that no triangle reaches. */
   static constexpr double Unreachable = 2.0;
   /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces: the floor is

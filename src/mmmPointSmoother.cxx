@@ -241,7 +241,7 @@ PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)
   }
   const auto at = [&](double step) { return Vector(from + gradient * (step * shortest / length)); };
   // to the top of the parabola that has the total and its slope here, and the total at a trial
-  double step = LongestStep;
+  double step = 0.5 * TrialStep;
   Vector x = at(TrialStep);
   if (admit(x))
   {
@@ -381,7 +381,7 @@ PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit 
   }
   return SearchAround(0.2 * size, 0.01 * size, [&](double step, const Vector & direction) {
     Vector x = m_Points[p] + step * along(direction);
-    // what `admit` changes is little, and takes longest
+    // `admit` takes longest, and changes little near the cell
     if (!(this->WorstTriangleAround(p, x) > worst) || !admit(x))
     {
       return false;

@@ -190,10 +190,7 @@ SideChanger::CloseGap(Id t, PointId a, PointId b, Material material)
   const Material own = m_State.complex.MaterialOf(t);
   m_State.complex.SetMaterial(t, material);
   ComplexChange change;
-  if (!m_EdgeCollapser.FindForTriangles(t, { a, b }, radiusRatio, change) ||
-      !std::all_of(change.fresh.begin(), change.fresh.end(), [&](const OptimizerState::Element & element) {
-        return m_State.Quality(element.corners, element.material) > least;
-      }))
+  if (!m_EdgeCollapser.FindForTriangles(t, { a, b }, radiusRatio, least, change))
   {
     m_State.complex.SetMaterial(t, own);
     return false;

@@ -32,7 +32,7 @@ CornerOf(const Tetrahedron & corners, PointId point)
   return int(std::find(corners.begin(), corners.end(), point) - corners.begin());
 }
 
-/** As std::find() tells; without an early end, which compilers make several comparisons at once of. */
+/** As std::find() tells, but without an early end, so that compilers vectorize it. */
 bool
 Has(const std::vector<TetrahedralComplex::Id> & tetrahedra, TetrahedralComplex::Id t)
 {
