@@ -15,8 +15,10 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "mmmHash.h"
 #include "mmmLinkRepair.h"
 #include "mmmTestScenes.h"
+#include "mmmTestTetrahedra.h"
 
 #include "gtest/gtest.h"
 
@@ -144,4 +146,34 @@ TEST(LinkRepair, LosesNoMaterial)
   mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh);
   const auto & materials = octahedron.mesh.materials;
   EXPECT_EQ(std::count(materials.begin(), materials.end(), 2), 1);
+}
+
+TEST(LinkRepair, OfNoiseLeavesFewDefectsAndTellsOfThem)
+{
+  constexpr int        Size = 10;
+  const auto           noise = [](std::size_t n) { return mmm::Material(mmm::Hash(n) % 3); };
+  const mmmtest::Scene scene(
+    mmmtest::MakeMaterials({ { Size, Size, Size } }, mmm::Vector::Ones(), 3, [&](const mmm::Vector & x) {
+      return noise(std::size_t(x[0] + Size * (x[1] + Size * x[2])));
+    }));
+  const mmm::Grid &        grid = scene.indicators->GetGrid();
+  std::vector<mmm::Vector> points;
+  for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
+  {
+    points.push_back(grid.Position(grid.IndexAt(n)));
+  }
+  mmm::TetrahedralMesh mesh;
+  mesh.tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+  {
+    mesh.materials.push_back(noise(t));
+  }
+  const mmm::TetrahedronAdjacency adjacency(mesh.tetrahedra, points.size());
+  const auto                      report = mmm::RepairLinks(*scene.indicators, points, adjacency, Outside, mesh);
+  const auto                      left = mmm::FindLinkDefects(mesh, adjacency, Outside);
+  EXPECT_EQ(report.left.points, left.points);
+  EXPECT_EQ(report.left.edges, left.edges);
+  EXPECT_GT(report.found.edges.size(), 1000u);
+  EXPECT_LT(left.edges.size(), report.found.edges.size() / 20);
+  EXPECT_LT(left.points.size(), report.found.points.size() / 20);
 }
