@@ -20,6 +20,8 @@
 
 #include "mmmTetrahedronAdjacency.h"
 
+#include <limits>
+
 namespace mmm
 {
 /** A face of an interface at a point, seen from one of its other two corners. */
@@ -63,14 +65,16 @@ public:
   {
     return std::size_t(m_IsDefect) + m_DefectEdges.size();
   }
-  /** The defects at all corners of a tetrahedron; an edge between two of them counts twice. */
+  /** The defects at all of some points, or at so many that there are not below `enough`; an edge between two of the
+   * points counts twice. */
+  template <typename TPoints>
   std::size_t
-  CountDefectsAt(const Tetrahedron & corners)
+  CountDefectsAt(const TPoints & points, std::size_t enough = std::numeric_limits<std::size_t>::max())
   {
     std::size_t count = 0;
-    for (const PointId p : corners)
+    for (auto p = points.begin(); p != points.end() && count < enough; ++p)
     {
-      this->Inspect(p);
+      this->Inspect(*p);
       count += this->CountDefects();
     }
     return count;

@@ -362,7 +362,7 @@ private:
     const std::size_t before = this->CountDefects(points);
     this->Apply(change);
     const bool isLost = std::any_of(own.begin(), own.end(), [&](Material m) { return m_Sizes[this->Slot(m)] == 0; });
-    const bool helps = !isLost && this->HasFewerDefects(points, before);
+    const bool helps = !isLost && m_Inspector.CountDefectsAt(points, before) < before;
     for (std::size_t i = 0; i < own.size(); ++i)
     {
       this->SetMaterial(change.tetrahedra[i], own[i]);
@@ -370,7 +370,7 @@ private:
     return helps;
   }
 
-  /** Defects as they are. An edge between two of the points counts twice, here as below. */
+  /** The defects at some points as they are, as LinkInspector counts them. */
   std::size_t
   CountDefects(const std::vector<PointId> & points)
   {
@@ -385,19 +385,6 @@ private:
       count += m_Defects[p];
     }
     return count;
-  }
-
-  /** Whether, after a change that may be taken back, there are fewer defects than `limit`. */
-  bool
-  HasFewerDefects(const std::vector<PointId> & points, std::size_t limit)
-  {
-    std::size_t count = 0;
-    for (auto p = points.begin(); p != points.end() && count < limit; ++p)
-    {
-      m_Inspector.Inspect(*p);
-      count += m_Inspector.CountDefects();
-    }
-    return count < limit;
   }
 
   void
