@@ -381,8 +381,9 @@ PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit 
   }
   return SearchAround(0.2 * size, 0.01 * size, [&](double step, const Vector & direction) {
     Vector x = m_Points[p] + step * along(direction);
-    // `admit` takes longest, and changes little near the cell
-    if (!(this->WorstTriangleAround(p, x) > worst) || !admit(x))
+    // `admit` takes longest, and changes little where triangles are not flat
+    const bool isHopeless = worst >= m_Parameters.flatTriangle && !(this->WorstTriangleAround(p, x) > worst);
+    if (isHopeless || !admit(x))
     {
       return false;
     }
