@@ -34,19 +34,29 @@ constexpr double JunctionDistance = 0.3;
 constexpr double LayerDistance = 0.15;
 
 /** Moves particles that were joined onto the cell of all their materials, unless that brings them close to others.
- * `bins` has the positions from before. */
+ * Where there is no such curve, they are on the cell that they had. `bins` and `cells` have positions and cells from
+ * before. */
 void
-MoveOntoCells(const IndicatorSet &      indicators,
-              const PointBins &         bins,
-              const std::vector<char> & isJoined,
-              const std::vector<char> & kept,
-              ParticleSet &             particles)
+MoveOntoCells(const IndicatorSet &               indicators,
+              const PointBins &                  bins,
+              const std::vector<std::uint32_t> & cells,
+              const std::vector<char> &          kept,
+              ParticleSet &                      particles)
 {
   auto & positions = particles.positions;
   for (std::uint32_t p = 0; p < positions.size(); ++p)
   {
-    Vector x = positions[p];
-    bool   isFree = isJoined[p] && indicators.ProjectWhereMaximal(particles.CellOf(p), x, JunctionDistance);
+    if (particles.cells[p] == cells[p])
+    {
+      continue;
+    }
+    Vector     x = positions[p];
+    const bool isFound = indicators.Project(particles.CellOf(p), x, JunctionDistance);
+    if (!isFound && particles.CellOf(p).Dimension() > 0)
+    {
+      particles.cells[p] = cells[p];
+    }
+    bool isFree = isFound && indicators.IsMaximal(particles.CellOf(p), x, IndicatorSet::MaximalityTolerance);
     if (isFree)
     {
       bins.Visit(x, JunctionDistance + LayerDistance, [&](std::uint32_t q) {
@@ -70,7 +80,7 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
   CellNumbers       numbers(particles.cellTable);
   PointBins         bins(indicators.GetGrid(), 2.0);
   std::vector<char> kept(count, 0);
-  std::vector<char> isJoined(count, 0);
+  const auto        cells = particles.cells;
   bins.Assign(particles.positions);
   for (const auto p : order)
   {
@@ -106,12 +116,11 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       if (joint.Join(particles.CellOf(p)))
       {
         particles.cells[nearest] = numbers(joint);
-        isJoined[nearest] = 1;
         kept[p] = 0;
       }
     }
   }
-  MoveOntoCells(indicators, bins, isJoined, kept, particles);
+  MoveOntoCells(indicators, bins, cells, kept, particles);
   return particles.Keep(kept);
 }
 } // namespace mmm

@@ -128,6 +128,22 @@ TEST(ParticleMerging, JoinsCloseJunctionsToOnePointOfAllTheirMaterials)
   EXPECT_EQ(particles.CellOf(0), (Cell{ 0, 1, 2, 3 }));
 }
 
+TEST(ParticleMerging, LeavesAParticleOnItsCellWhereThereIsNoCurveOfAllMaterials)
+{
+  const Scene              scene(MakeMaterials(
+    { { 15, 12, 12 } }, Vector::Ones(), 3, [](const Vector & x) { return x[0] < 5.0 ? 0 : (x[0] < 10.0 ? 1 : 2); }));
+  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 1.0f);
+  mmm::ParticleSet         particles;
+  particles.cellTable = { Cell{ 0, 1 }, Cell{ 1, 2 } };
+  particles.positions = { Vector(4.5, 5.5, 5.5), Vector(4.6, 5.5, 5.5) };
+  particles.cells = { 0, 1 };
+  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
+            1u);
+  ASSERT_EQ(particles.Size(), 1u);
+  EXPECT_EQ(particles.CellOf(0), (Cell{ 0, 1 }));
+  EXPECT_EQ(particles.positions[0], Vector(4.5, 5.5, 5.5));
+}
+
 TEST(ParticleMerging, KeepsTheTwoSidesOfAThinLayerApart)
 {
   const Scene              scene = MakeQuarters();
