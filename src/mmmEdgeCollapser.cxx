@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmEdgeCollapser.h"
+#include "mmmMakeUnique.h"
 
 #include <algorithm>
 #include <iterator>
@@ -87,7 +88,7 @@ bool
 EdgeCollapser::LookAround(PointId u)
 {
   m_State.complex.GetStar(u, m_Star);
-  m_NumberOfMaterials = this->CountMaterialsAround(u, m_Star);
+  m_NumberOfMaterials = this->CountMaterialsAround(u);
   if (m_Star.size() > LargestStar || m_NumberOfMaterials > 3)
   {
     return false;
@@ -96,9 +97,9 @@ EdgeCollapser::LookAround(PointId u)
   return true;
 }
 
-/** How many materials are around a point, with the exterior where it lies on the outside of the mesh. */
+/** How many materials are in the star of u, with the exterior where it lies on the outside of the mesh. */
 std::size_t
-EdgeCollapser::CountMaterialsAround(PointId p, const std::vector<Id> & star) const
+EdgeCollapser::CountMaterialsAround(PointId u) const
 {
   std::vector<Material> around;
   const auto            add = [&around](Material m) {
@@ -107,12 +108,12 @@ EdgeCollapser::CountMaterialsAround(PointId p, const std::vector<Id> & star) con
       around.push_back(m);
     }
   };
-  for (const Id t : star)
+  for (const Id t : m_Star)
   {
     add(m_State.complex.MaterialOf(t));
     for (int f = 0; f < 4; ++f)
     {
-      if (m_State.complex.Corners(t)[f] != p && m_State.complex.Neighbour(t, f) == NoTetrahedron)
+      if (m_State.complex.Corners(t)[f] != u && m_State.complex.Neighbour(t, f) == NoTetrahedron)
       {
         add(m_State.exterior);
       }
@@ -181,8 +182,7 @@ EdgeCollapser::LinksMeetInRing(Id t, PointId u, PointId v)
         }
       }
     }
-    std::sort(link.begin(), link.end());
-    link.erase(std::unique(link.begin(), link.end()), link.end());
+    MakeUnique(link);
     return link;
   };
   const auto        ofU = linkOf(u, m_Star);

@@ -62,7 +62,7 @@ private:
   bool
   CollapseStar(OptimizerState::Id t, PointId u, PointId v, double enough, ComplexChange & change);
   std::size_t
-  CountMaterialsAround(PointId p, const std::vector<OptimizerState::Id> & star) const;
+  CountMaterialsAround(PointId u) const;
   bool
   LinksMeetInRing(OptimizerState::Id t, PointId u, PointId v);
   bool

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmInterfaceFit.h"
+#include "mmmMakeUnique.h"
 
 #include "mmmParallel.h"
 #include "mmmPointSmoother.h"
@@ -246,8 +247,7 @@ private:
           nodes.push_back(m_Grid.Offset(at));
         });
     }
-    std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    MakeUnique(nodes);
     return nodes;
   }
 

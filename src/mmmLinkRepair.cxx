@@ -18,6 +18,7 @@
 #include "mmmLinkRepair.h"
 
 #include "mmmLinkInspector.h"
+#include "mmmMakeUnique.h"
 #include "mmmParallel.h"
 #include "mmmTetrahedronSupport.h"
 
@@ -32,14 +33,6 @@ namespace
 constexpr std::size_t PointsPerRange = 4096;
 /** Passes over what is left; most is done in the first. */
 constexpr int Passes = 5;
-
-template <typename T>
-void
-MakeUnique(std::vector<T> & items)
-{
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-}
 
 /** Inspects some points, and the edges at them. */
 LinkDefects

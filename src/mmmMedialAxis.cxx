@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmMedialAxis.h"
+#include "mmmMakeUnique.h"
 
 #include "mmmParallel.h"
 #include "mmmSourcePropagation.h"
@@ -79,8 +80,7 @@ public:
     }
     for (auto & triples : m_Triples)
     {
-      std::sort(triples.begin(), triples.end());
-      triples.erase(std::unique(triples.begin(), triples.end()), triples.end());
+      MakeUnique(triples);
     }
   }
 

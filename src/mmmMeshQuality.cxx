@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmMeshQuality.h"
 #include "mmmIncidence.h"
+#include "mmmMakeUnique.h"
 #include "mmmMeshTopology.h"
 #include "mmmParallel.h"
 
@@ -339,8 +340,7 @@ LocatePoorTetrahedra(const MeshTopology &             topology,
   for (auto & tetrahedron : report.poorest)
   {
     auto & neighbors = tetrahedron.neighborLabels;
-    std::sort(neighbors.begin(), neighbors.end());
-    neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+    MakeUnique(neighbors);
     for (const auto p : tetrahedra[tetrahedron.index])
     {
       tetrahedron.boundaryCorners += isOnInterface[p];

@@ -34,8 +34,8 @@ constexpr double JunctionDistance = 0.3;
 constexpr double LayerDistance = 0.15;
 
 /** Moves particles that were joined onto the cell of all their materials, unless that brings them close to others.
- * Where there is no such curve, they are on the cell that they had. `bins` and `cells` have positions and cells from
- * before. */
+ * Where that is a curve that does not exist there, they stay on the cell that they had. `bins` and `cells` have
+ * positions and cells from before. */
 void
 MoveOntoCells(const IndicatorSet &               indicators,
               const PointBins &                  bins,
@@ -50,13 +50,14 @@ MoveOntoCells(const IndicatorSet &               indicators,
     {
       continue;
     }
-    Vector     x = positions[p];
-    const bool isFound = indicators.Project(particles.CellOf(p), x, JunctionDistance);
-    if (!isFound && particles.CellOf(p).Dimension() > 0)
+    const Cell & joint = particles.CellOf(p);
+    Vector       x = positions[p];
+    if (!indicators.Project(joint, x, JunctionDistance))
     {
-      particles.cells[p] = cells[p];
+      particles.cells[p] = joint.Dimension() > 0 ? cells[p] : particles.cells[p];
+      continue;
     }
-    bool isFree = isFound && indicators.IsMaximal(particles.CellOf(p), x, IndicatorSet::MaximalityTolerance);
+    bool isFree = indicators.IsMaximal(joint, x, IndicatorSet::MaximalityTolerance);
     if (isFree)
     {
       bins.Visit(x, JunctionDistance + LayerDistance, [&](std::uint32_t q) {

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "mmmCellNumbers.h"
 #include "mmmHash.h"
+#include "mmmMakeUnique.h"
 #include "mmmParallelCollect.h"
 #include "mmmParticles.h"
 #include "mmmPointBins.h"
@@ -188,8 +189,7 @@ CubesAround(const std::vector<Index> & places)
       cubes.push_back({ { at[0] - (corner & 1), at[1] - ((corner >> 1) & 1), at[2] - (corner >> 2) } });
     }
   }
-  std::sort(cubes.begin(), cubes.end());
-  cubes.erase(std::unique(cubes.begin(), cubes.end()), cubes.end());
+  MakeUnique(cubes);
   return cubes;
 }
 

@@ -20,6 +20,7 @@
 #include "mmmCriticalPoint.h"
 #include "mmmIndicatorRaises.h"
 #include "mmmIndicatorSmoothing.h"
+#include "mmmMakeUnique.h"
 #include "mmmParallelCollect.h"
 #include "mmmSampleLattice.h"
 #include "mmmSampleNeighbours.h"
@@ -408,8 +409,7 @@ private:
         }
       });
     }
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+    MakeUnique(places);
     constexpr std::size_t    PerVoxel = Refinement * Refinement * Refinement;
     std::vector<std::size_t> all;
     all.reserve(PerVoxel * places.size());

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mmmSampling.h"
+#include "mmmMakeUnique.h"
 
 #include "mmmParallel.h"
 
@@ -52,8 +53,7 @@ EdgesOf(const std::vector<Triangle> & triangles)
       edges.push_back(std::minmax(triangle[c], triangle[(c + 1) % 3]));
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  MakeUnique(edges);
   return edges;
 }
 

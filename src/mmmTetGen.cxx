@@ -16,6 +16,8 @@
  *
  *=========================================================================*/
 #include "mmmTetGen.h"
+#include "mmmIncidence.h"
+#include "mmmMakeUnique.h"
 #include "mmmOutOfMemory.h"
 #include "mmmTetGenTermination.h"
 
@@ -24,8 +26,8 @@
 #include <tetgen.h>
 
 #include <algorithm>
+#include <array>
 #include <new>
-#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -129,31 +131,31 @@ FillSpace(const std::vector<Vector> & points)
 std::vector<Tetrahedron>
 OrientedTetrahedra(const tetgenio & out)
 {
-  const std::size_t count = out.numberoftetrahedra;
-  const auto        smallest = [&out](std::size_t t) {
-    return *std::min_element(out.tetrahedronlist + 4 * t, out.tetrahedronlist + 4 * t + 4);
-  };
-  std::vector<std::size_t> places(out.numberofpoints + 1, 0);
-  for (std::size_t t = 0; t < count; ++t)
+  const std::size_t        points = out.numberofpoints;
+  const std::size_t        count = out.numberoftetrahedra;
+  const Incidence          order(points, count, [&out](std::size_t t) {
+    const int * const corners = out.tetrahedronlist + 4 * t;
+    return std::array<int, 1>{ { *std::min_element(corners, corners + 4) } };
+  });
+  std::vector<Tetrahedron> tetrahedra;
+  tetrahedra.reserve(count);
+  for (std::size_t p = 0; p < points; ++p)
   {
-    ++places[smallest(t) + 1];
-  }
-  std::partial_sum(places.begin(), places.end(), places.begin());
-
-  std::vector<Tetrahedron> tetrahedra(count);
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    Tetrahedron & tetrahedron = tetrahedra[places[smallest(t)]++];
-    Vector        x[4];
-    for (int c = 0; c < 4; ++c)
+    for (auto t = order.Begin(p); t != order.End(p); ++t)
     {
-      const int corner = out.tetrahedronlist[4 * t + c];
-      tetrahedron[c] = PointId(corner);
-      std::copy_n(out.pointlist + std::size_t(3) * corner, 3, x[c].data());
-    }
-    if (TetrahedronVolume(x[0], x[1], x[2], x[3]) < 0.0)
-    {
-      std::swap(tetrahedron[2], tetrahedron[3]);
+      Tetrahedron tetrahedron;
+      Vector      x[4];
+      for (int c = 0; c < 4; ++c)
+      {
+        const int corner = out.tetrahedronlist[4 * std::size_t(*t) + c];
+        tetrahedron[c] = PointId(corner);
+        std::copy_n(out.pointlist + std::size_t(3) * corner, 3, x[c].data());
+      }
+      if (TetrahedronVolume(x[0], x[1], x[2], x[3]) < 0.0)
+      {
+        std::swap(tetrahedron[2], tetrahedron[3]);
+      }
+      tetrahedra.push_back(tetrahedron);
     }
   }
   return tetrahedra;
@@ -216,8 +218,7 @@ DescribeIntersections(const std::vector<Vector> & points, const std::vector<Tria
     return "";
   }
   std::vector<int> numbers(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  MakeUnique(numbers);
   std::ostringstream text;
   text << " Facets that intersect others, by their number among the triangles of the surface: ";
   for (std::size_t n = 0; n < numbers.size() && n < Listed; ++n)

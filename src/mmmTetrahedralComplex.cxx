@@ -171,7 +171,7 @@ TetrahedralComplex::Replace(const std::vector<Id> & old, const std::vector<Eleme
     for (int f = 0; f < 4; ++f)
     {
       const Id other = m_Neighbours[t][f];
-      if (other == NoTetrahedron || std::find(old.begin(), old.end(), other) == old.end())
+      if (other == NoTetrahedron || !Has(old, other))
       {
         const int number =
           other == NoTetrahedron

@@ -156,12 +156,8 @@ TEST(LinkRepair, OfNoiseLeavesFewDefectsAndTellsOfThem)
     mmmtest::MakeMaterials({ { Size, Size, Size } }, mmm::Vector::Ones(), 3, [&](const mmm::Vector & x) {
       return noise(std::size_t(x[0] + Size * (x[1] + Size * x[2])));
     }));
-  const mmm::Grid &        grid = scene.indicators->GetGrid();
-  std::vector<mmm::Vector> points;
-  for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
-  {
-    points.push_back(grid.Position(grid.IndexAt(n)));
-  }
+  const mmm::Grid &    grid = scene.indicators->GetGrid();
+  const auto           points = mmmtest::MakeNodes(grid);
   mmm::TetrahedralMesh mesh;
   mesh.tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)

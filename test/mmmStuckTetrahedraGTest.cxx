@@ -42,10 +42,7 @@ public:
     : m_Scene(mmmtest::MakeBallMaterials(Size, Centre(), 3.8))
   {
     const mmm::Grid & grid = m_Scene.indicators->GetGrid();
-    for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
-    {
-      m_Points.push_back(grid.Position(grid.IndexAt(n)));
-    }
+    m_Points = mmmtest::MakeNodes(grid);
     mesh.tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
     this->SetMaterials([](const Vector & x) { return (x - Centre()).norm() < 3.8; });
   }

@@ -114,31 +114,38 @@ TEST(LostNodes, AreAllOfASmallLabelThatLosesMany)
 
 TEST(LostNodes, AreNoneOfALargeLabelThatLosesMany) { EXPECT_TRUE(FindLostNodesOfSlab(35, 2).corners.empty()); }
 
+namespace
+{
+/** What merging leaves of two particles, sizes being `size` everywhere. It has to drop as many as are missing. */
+mmm::ParticleSet
+Merge(const Scene & scene, float size, const std::array<Cell, 2> & cells, const std::array<Vector, 2> & positions)
+{
+  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), size);
+  mmm::ParticleSet         particles;
+  particles.cellTable.assign(cells.begin(), cells.end());
+  particles.positions.assign(positions.begin(), positions.end());
+  particles.cells = { 0, 1 };
+  const auto dropped =
+    mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles);
+  EXPECT_EQ(dropped, 2 - particles.Size());
+  return particles;
+}
+} // namespace
+
 TEST(ParticleMerging, JoinsCloseJunctionsToOnePointOfAllTheirMaterials)
 {
-  const Scene              scene = MakeQuarters();
-  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 1.0f);
-  mmm::ParticleSet         particles;
-  particles.cellTable = { Cell{ 0, 1, 2 }, Cell{ 1, 2, 3 } };
-  particles.positions = { Vector(5.45, 5.5, 2.0), Vector(5.55, 5.5, 2.0) };
-  particles.cells = { 0, 1 };
-  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
-            1u);
+  const auto particles = Merge(
+    MakeQuarters(), 1.0f, { Cell{ 0, 1, 2 }, Cell{ 1, 2, 3 } }, { Vector(5.45, 5.5, 2.0), Vector(5.55, 5.5, 2.0) });
   ASSERT_EQ(particles.Size(), 1u);
   EXPECT_EQ(particles.CellOf(0), (Cell{ 0, 1, 2, 3 }));
 }
 
 TEST(ParticleMerging, LeavesAParticleOnItsCellWhereThereIsNoCurveOfAllMaterials)
 {
-  const Scene              scene(MakeMaterials(
+  const Scene scene(MakeMaterials(
     { { 15, 12, 12 } }, Vector::Ones(), 3, [](const Vector & x) { return x[0] < 5.0 ? 0 : (x[0] < 10.0 ? 1 : 2); }));
-  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 1.0f);
-  mmm::ParticleSet         particles;
-  particles.cellTable = { Cell{ 0, 1 }, Cell{ 1, 2 } };
-  particles.positions = { Vector(4.5, 5.5, 5.5), Vector(4.6, 5.5, 5.5) };
-  particles.cells = { 0, 1 };
-  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
-            1u);
+  const auto  particles =
+    Merge(scene, 1.0f, { Cell{ 0, 1 }, Cell{ 1, 2 } }, { Vector(4.5, 5.5, 5.5), Vector(4.6, 5.5, 5.5) });
   ASSERT_EQ(particles.Size(), 1u);
   EXPECT_EQ(particles.CellOf(0), (Cell{ 0, 1 }));
   EXPECT_EQ(particles.positions[0], Vector(4.5, 5.5, 5.5));
@@ -146,14 +153,9 @@ TEST(ParticleMerging, LeavesAParticleOnItsCellWhereThereIsNoCurveOfAllMaterials)
 
 TEST(ParticleMerging, KeepsTheTwoSidesOfAThinLayerApart)
 {
-  const Scene              scene = MakeQuarters();
-  const std::vector<float> sizes(scene.image.grid.NumberOfNodes(), 3.0f);
-  mmm::ParticleSet         particles;
-  particles.cellTable = { Cell{ 0, 1 }, Cell{ 0, 2 } };
-  particles.positions = { Vector(5.5, 2.0, 2.0), Vector(5.1, 2.0, 2.0) };
-  particles.cells = { 0, 1 };
-  EXPECT_EQ(mmm::MergeCloseParticles(*scene.indicators, mmm::SizingField(scene.image.grid, sizes.data()), particles),
-            0u);
+  const auto particles =
+    Merge(MakeQuarters(), 3.0f, { Cell{ 0, 1 }, Cell{ 0, 2 } }, { Vector(5.5, 2.0, 2.0), Vector(5.1, 2.0, 2.0) });
+  EXPECT_EQ(particles.Size(), 2u);
 }
 
 TEST(Cells, JoinUpToTheirCapacity)

@@ -28,12 +28,24 @@
 
 namespace mmmtest
 {
+/** The nodes of a grid. */
+inline std::vector<mmm::Vector>
+MakeNodes(const mmm::Grid & grid)
+{
+  std::vector<mmm::Vector> nodes;
+  for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
+  {
+    nodes.push_back(grid.Position(grid.IndexAt(n)));
+  }
+  return nodes;
+}
+
 /** The tetrahedra, positive, of a Freudenthal subdivision between the nodes of a grid: six in each cube. */
 inline std::vector<mmm::Tetrahedron>
 MakeFreudenthalTetrahedra(const mmm::Grid & grid)
 {
   std::vector<mmm::Tetrahedron> tetrahedra;
-  const auto                    x = [&](std::size_t n) { return grid.Position(grid.IndexAt(n)); };
+  const auto                    x = MakeNodes(grid);
   for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
   {
     const mmm::Index first = grid.IndexAt(n);
@@ -51,7 +63,7 @@ MakeFreudenthalTetrahedra(const mmm::Grid & grid)
         ++at[axes[corner - 1]];
         t[corner] = std::uint32_t(grid.Offset(at));
       }
-      if (mmm::TetrahedronVolume(x(t[0]), x(t[1]), x(t[2]), x(t[3])) < 0.0)
+      if (mmm::TetrahedronVolume(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) < 0.0)
       {
         std::swap(t[0], t[1]);
       }
