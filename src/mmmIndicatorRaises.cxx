@@ -83,8 +83,8 @@ IsNear(const IndicatorSet & indicators, Material material, const Index & node)
 {
   const Grid & grid = indicators.GetGrid();
   bool         found = false;
-  NodeBox{ grid.Clamp({ { node[0] - 1, node[1] - 1, node[2] - 1 } }),
-           grid.Clamp({ { node[0] + 1, node[1] + 1, node[2] + 1 } }) }
+  IndexBox{ grid.Clamp({ { node[0] - 1, node[1] - 1, node[2] - 1 } }),
+            grid.Clamp({ { node[0] + 1, node[1] + 1, node[2] + 1 } }) }
     .Visit([&](const Index & other) { found = found || indicators.MaterialAtNode(grid.Offset(other)) == material; });
   return found;
 }

@@ -18,36 +18,13 @@
 #ifndef mmmIndicatorRaises_h
 #define mmmIndicatorRaises_h
 
-#include "mmmGrid.h"
+#include "mmmIndexBox.h"
 #include "mmmIndicatorSet.h"
 
 #include <vector>
 
 namespace mmm
 {
-/** \brief Nodes of a grid, those at both ends included. */
-struct NodeBox
-{
-  Index lower;
-  Index upper;
-
-  template <typename TVisitor>
-  void
-  Visit(TVisitor && visit) const
-  {
-    for (int k = lower[2]; k <= upper[2]; ++k)
-    {
-      for (int j = lower[1]; j <= upper[1]; ++j)
-      {
-        for (int i = lower[0]; i <= upper[0]; ++i)
-        {
-          visit(Index{ { i, j, k } });
-        }
-      }
-    }
-  }
-};
-
 /** \brief What an indicator gets at a node, or loses. */
 struct Raise
 {

@@ -116,7 +116,7 @@ private:
    * and the nodes around it. */
   struct Balance
   {
-    NodeBox  nodes;
+    IndexBox nodes;
     Material leader;
     Material other;
     float    lead;
@@ -168,10 +168,10 @@ private:
     }
   }
 
-  NodeBox
+  IndexBox
   NodesAround(const Index & sample, const Index & other) const
   {
-    NodeBox box;
+    IndexBox box;
     for (int a = 0; a < 3; ++a)
     {
       box.lower[a] = sample[a] / Refinement;
@@ -180,12 +180,12 @@ private:
     return box;
   }
 
-  NodeBox
+  IndexBox
   NodesAround(const Vector & x) const
   {
     // a node this close is the only one of its axis
     constexpr double Near = 0.1;
-    NodeBox          box;
+    IndexBox         box;
     for (int a = 0; a < 3; ++a)
     {
       const double at = x[a] / m_Grid.spacing[a];
@@ -212,8 +212,8 @@ private:
     {
       return;
     }
-    const NodeBox box = this->NodesAround(sample, sample);
-    double        amount = PassageLead - weak.lead;
+    const IndexBox box = this->NodesAround(sample, sample);
+    double         amount = PassageLead - weak.lead;
     for (int a = 0; a < 3; ++a)
     {
       amount /= box.upper[a] > box.lower[a] ? Halfway : 1.0;
@@ -330,17 +330,17 @@ private:
       return false;
     }
     // the first neighbours are those of larger indices
-    const bool    isUpper = n < SampleNeighbours::Count / 2;
-    const NodeBox box = isUpper ? this->NodesAround(sample, other) : this->NodesAround(other, sample);
-    const bool    isKept = m_KeepContacts && this->ShareFace(box, pair);
-    const float   amount = isKept ? lead - PassageLead : lead + PassageLead;
+    const bool     isUpper = n < SampleNeighbours::Count / 2;
+    const IndexBox box = isUpper ? this->NodesAround(sample, other) : this->NodesAround(other, sample);
+    const bool     isKept = m_KeepContacts && this->ShareFace(box, pair);
+    const float    amount = isKept ? lead - PassageLead : lead + PassageLead;
     box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), third, amount }); });
     return !isKept;
   }
 
   /** Whether voxels of two materials share a face, of some voxels. */
   bool
-  ShareFace(const NodeBox & box, const Cell & pair) const
+  ShareFace(const IndexBox & box, const Cell & pair) const
   {
     bool isShared = false;
     box.Visit([&](const Index & node) {
@@ -398,9 +398,9 @@ private:
     std::vector<std::size_t> places;
     for (const Raise & raise : raises)
     {
-      const Index   node = m_Grid.IndexAt(raise.node);
-      const NodeBox box{ m_Grid.Clamp({ { node[0] - 2, node[1] - 2, node[2] - 2 } }),
-                         m_Grid.Clamp({ { node[0] + 2, node[1] + 2, node[2] + 2 } }) };
+      const Index    node = m_Grid.IndexAt(raise.node);
+      const IndexBox box{ m_Grid.Clamp({ { node[0] - 2, node[1] - 2, node[2] - 2 } }),
+                          m_Grid.Clamp({ { node[0] + 2, node[1] + 2, node[2] + 2 } }) };
       box.Visit([&](const Index & at) {
         const auto first = m_Lattice.PlaceOf({ { Refinement * at[0], Refinement * at[1], Refinement * at[2] } });
         if (first != SampleLattice::NotKept)

@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmIndexBox_h
+#define mmmIndexBox_h
+
+#include "mmmGrid.h"
+
+namespace mmm
+{
+/** \brief Indices of nodes, samples or cells, those at both ends included. */
+struct IndexBox
+{
+  Index lower;
+  Index upper;
+
+  bool
+  Contains(const Index & index) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      if (index[a] < lower[a] || index[a] > upper[a])
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Calls visit(index), the first index fastest. */
+  template <typename TVisitor>
+  void
+  Visit(TVisitor && visit) const
+  {
+    for (int k = lower[2]; k <= upper[2]; ++k)
+    {
+      for (int j = lower[1]; j <= upper[1]; ++j)
+      {
+        for (int i = lower[0]; i <= upper[0]; ++i)
+        {
+          visit(Index{ { i, j, k } });
+        }
+      }
+    }
+  }
+};
+} // namespace mmm
+
+#endif
