@@ -73,6 +73,13 @@ public:
     return sample[0] >= 0 && sample[1] >= 0 && sample[2] >= 0 && sample[0] < m_Size[0] && sample[1] < m_Size[1] &&
            sample[2] < m_Size[2];
   }
+  /** On which side of the box along an axis is what has this index, below (-1), within (0), or above (1). Some of the
+   * last samples are above. */
+  int
+  SideOf(int axis, int index) const
+  {
+    return index < 0 ? -1 : int(m_Origin[axis] + m_Step[axis] * index > m_Indicators.GetGrid().UpperFace(axis));
+  }
   Vector
   Position(const Index & sample) const
   {

@@ -72,7 +72,7 @@ public:
     this->SeedCells(centre, present, count, seeds);
   }
 
-  /** `lower` is the cube's lowest sample. Only samples within the lattice count. */
+  /** `lower` is the cube's lowest sample; cubes reach one sample beyond the border. */
   void
   SeedCube(const SampleLattice &    lattice,
            const SampledMaterials & partition,
@@ -86,7 +86,7 @@ public:
     {
       const Index sample{ { lower[0] + (corner & 1), lower[1] + ((corner >> 1) & 1), lower[2] + (corner >> 2) } };
       centre += 0.125 * lattice.Position(sample);
-      if (lattice.Contains(sample))
+      if (!this->AddPlanes([&](int a) { return lattice.SideOf(a, sample[a]); }, present, count))
       {
         Add(lattice.At(partition, sample), present, count);
       }
@@ -128,21 +128,30 @@ private:
     }
   }
 
-  /** A node beyond the border stands for all the planes that it lies behind. */
+  /** What lies beyond the border stands for all the planes that it lies behind. `sideOf(axis)` tells on which side of
+   * the box it is: below (-1), within, or above (1). Returns whether there is a plane. */
+  template <typename TSideOf>
+  bool
+  AddPlanes(const TSideOf & sideOf, Material * present, int & count) const
+  {
+    bool isBeyond = false;
+    for (int a = 0; a < 3; ++a)
+    {
+      const int side = sideOf(a);
+      if (side != 0)
+      {
+        Add(Material(m_Indicators.GetNumberOfMaterials() + 2 * a + (side < 0 ? 0 : 1)), present, count);
+        isBeyond = true;
+      }
+    }
+    return isBeyond;
+  }
+
   void
   AddMaterials(const Index & node, Material * present, int & count) const
   {
     const Grid & grid = m_Indicators.GetGrid();
-    bool         within = true;
-    for (int a = 0; a < 3; ++a)
-    {
-      if (node[a] < 0 || node[a] >= grid.size[a])
-      {
-        Add(Material(m_Indicators.GetNumberOfMaterials() + 2 * a + (node[a] < 0 ? 0 : 1)), present, count);
-        within = false;
-      }
-    }
-    if (within)
+    if (!this->AddPlanes([&](int a) { return node[a] < 0 ? -1 : int(node[a] >= grid.size[a]); }, present, count))
     {
       Add(m_Indicators.MaterialAtNode(grid.Offset(node)), present, count);
     }
