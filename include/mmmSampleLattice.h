@@ -20,10 +20,7 @@
 
 #include "MultiMaterialMeshingExport.h"
 #include "mmmIndicatorSet.h"
-#include "mmmTetrahedralMesh.h"
 
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -41,9 +38,6 @@ class MultiMaterialMeshing_EXPORT SampleLattice
 {
 public:
   static constexpr std::size_t NotKept = std::size_t(-1);
-  /** Where a mesh's interface is this close, in voxels, a sample is on either side of it, unless SampleMesh() is told
-   * another distance. */
-  static constexpr double UsualTolerance = 0.1;
 
   /** The samples per voxel and axis at which topologies are compared: what is half a voxel wide, as it is where
    * topologies are kept, takes four. */
@@ -85,13 +79,6 @@ public:
   {
     return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
   }
-  /** The nearest sample, which may be beyond the lattice. */
-  Index
-  SampleNear(const Vector & x) const
-  {
-    const Vector at = (x - m_Origin).cwiseQuotient(m_Step);
-    return { { int(std::lround(at[0])), int(std::lround(at[1])), int(std::lround(at[2])) } };
-  }
 
   std::size_t
   NumberOfKept() const
@@ -120,34 +107,21 @@ public:
   bool
   IsDecidedByNodes(const Index & sample) const;
 
+  /** The material between samples: the coordinates are in samples. What is beyond the box is `exterior`. */
+  Material
+  MaterialAt(const Vector & sample, Material exterior) const;
   /** The argmax partition of the indicators; what is beyond the box is `exterior`. */
   SampledMaterials
   SamplePartition(Material exterior) const;
-  /** The partition that a mesh makes; what no tetrahedron fills is `exterior`. A sample from which the material that is
-   * `wanted` there is not further than `tolerance`, in voxels, is of that material. */
-  SampledMaterials
-  SampleMesh(const std::vector<Vector> & points,
-             const TetrahedralMesh &     mesh,
-             Material                    exterior,
-             const SampledMaterials &    wanted,
-             double                      tolerance = UsualTolerance) const;
 
 private:
   /** Some of the last samples are. */
   bool
-  IsBeyondBox(const Index & sample) const;
-  /** Whether a voxel is marked that a tetrahedron, given in indices of samples, comes near. */
-  bool
-  HasMarked(const std::vector<char> & marks, const std::array<Vector, 4> & corners, double reach) const;
-  /** Calls visit(tetrahedron, place) for the samples that are kept and inside of a tetrahedron that comes near marked
-   * voxels. */
-  template <typename TVisitor>
-  void
-  VisitSamplesInside(const std::vector<Vector> & points,
-                     const TetrahedralMesh &     mesh,
-                     double                      reach,
-                     const std::vector<char> &   marks,
-                     const TVisitor &            visit) const;
+  IsBeyondBox(const Vector & x) const
+  {
+    const Grid & grid = m_Indicators.GetGrid();
+    return x[0] > grid.UpperFace(0) || x[1] > grid.UpperFace(1) || x[2] > grid.UpperFace(2);
+  }
 
   const IndicatorSet & m_Indicators;
   const int            m_Refinement;

@@ -45,12 +45,6 @@ public:
     return { { sample[0] + Steps[n][0], sample[1] + Steps[n][1], sample[2] + Steps[n][2] } };
   }
 
-  /** The Euler characteristic. */
-  int
-  CharacteristicOf(unsigned set) const
-  {
-    return m_Characteristics[set];
-  }
   /** Whether it is one piece without a hole, and not all of the sphere. The sample in the middle can then enter or
    * leave the set's material without a change of topology. */
   bool
@@ -66,7 +60,6 @@ private:
   CountParts(unsigned set) const;
 
   std::array<unsigned, Count> m_Adjacent{};
-  std::vector<std::int8_t>    m_Characteristics;
   std::vector<bool>           m_IsDisk;
 };
 } // namespace mmm

@@ -54,9 +54,11 @@ struct TopologyReport
 
 /** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
  *
- * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples. The places are
- * found on the same samples, see FindTopologyDifferences(): where the mesh is thinner than their distance, some may be
- * missing. What that leaves unexplained is told. `samplesPerVoxel` is along each axis, a power of 2. */
+ * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
+ * for what lies between samples where the mesh is right, see FindTopologyDifferences(): components and cavities as far
+ * as the mesh has others, and tunnels. The places are found there, too; their
+ * changes add up to the difference of the Euler characteristics, or else what is left unexplained is told.
+ * `samplesPerVoxel` is along each axis, 2 or 4. */
 MultiMaterialMeshing_EXPORT TopologyReport
 CompareTopology(const IndicatorSet &        indicators,
                 const std::vector<Vector> & points,

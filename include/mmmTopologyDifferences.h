@@ -19,6 +19,7 @@
 #define mmmTopologyDifferences_h
 
 #include "mmmSampleLattice.h"
+#include "mmmTetrahedralMesh.h"
 
 namespace mmm
 {
@@ -29,24 +30,39 @@ struct EulerChange
   std::ptrdiff_t change;
 };
 
-/** \brief A place where one partition differs from another in topology. */
+/** \brief A place where the topology of a mesh is not that of a partition. */
 struct TopologyDifference
 {
-  /** The samples that cannot be reconciled, as places in SampledMaterials, ascending. */
-  std::vector<std::size_t> samples;
-  /** The materials that these samples have in either partition, ascending, and what the actual partition has more than
-   * the wanted one. A component or a cavity more is 1, a tunnel more -1. */
+  Vector position;
+  /** The samples at the place that touch one of another material, ascending. */
+  std::vector<Index> samples;
+  /** What the mesh has more, by material. A component or a cavity more is 1, a tunnel more -1. */
   std::vector<EulerChange> changes;
 };
 
-/** \brief Where partitions differ in topology.
+struct TopologyDifferences
+{
+  std::vector<TopologyDifference> places;
+  /** What the partition has more where it is sampled finely enough to see that the mesh is right, by material. */
+  std::vector<EulerChange> betweenSamples;
+};
+
+/** \brief Where a mesh differs from a partition in topology.
  *
- * `actual` is turned into `wanted` sample by sample, as long as that leaves the components, tunnels and cavities of
- * each material as they are, see SampleNeighbours. The samples that cannot be turned in this way are where the
- * partitions differ. They are sorted into parts that touch, which do not depend on each other: the changes of all parts
- * add up to the difference of the Euler characteristics. */
-MultiMaterialMeshing_EXPORT std::vector<TopologyDifference>
-FindTopologyDifferences(const SampleLattice & lattice, const SampledMaterials & wanted, SampledMaterials actual);
+ * Space is cut into blocks of a few samples. The Euler characteristics of what a material has of the blocks and of
+ * their common faces, edges and corners, with alternating signs, add up to that of the material. Nearly all of them
+ * are the same in the mesh and in the partition. Those that are not are sorted into parts that touch: where only the
+ * interface is a little off, the differences of a part add up to nothing. The others are the places where the topology
+ * is another one, and they add up to the whole difference of the characteristics.
+ *
+ * A sheet that is thinner than the distance of the samples has holes in the partition that the indicators do not have.
+ * So these places are sampled more finely, and do not count where that makes the difference go away. */
+MultiMaterialMeshing_EXPORT TopologyDifferences
+FindTopologyDifferences(const SampleLattice &       lattice,
+                        const SampledMaterials &    partition,
+                        const std::vector<Vector> & points,
+                        const TetrahedralMesh &     mesh,
+                        Material                    exterior);
 } // namespace mmm
 
 #endif

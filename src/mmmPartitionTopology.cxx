@@ -19,6 +19,7 @@
 
 #include "mmmDisjointSets.h"
 #include "mmmParallel.h"
+#include "mmmSampleCharacteristics.h"
 
 #include <algorithm>
 
@@ -44,32 +45,6 @@ struct MaterialRuns
 
 /** What a material has of simplices of 0 to 3 dimensions, with alternating signs. */
 using Characteristics = std::vector<std::ptrdiff_t>;
-
-/** The Euler characteristic of the simplices that have the first of eight samples as their lowest vertex, and the
- * others of its material. Bit 0 of a sample's number is for the upper one of the first axis and so on: a simplex joins
- * samples whose numbers gain bits. */
-int
-CountSimplices(const std::array<Material, 8> & samples)
-{
-  int        sum = 1;
-  const auto follows = [&](int from, int to) { return samples[to] == samples[0] && (from & to) == from; };
-  for (int a = 1; a < 8; ++a)
-  {
-    if (follows(0, a))
-    {
-      --sum;
-      for (int b = a + 1; b < 8; ++b)
-      {
-        if (follows(a, b))
-        {
-          ++sum;
-          sum -= b != 7 && follows(b, 7);
-        }
-      }
-    }
-  }
-  return sum;
-}
 
 /** Two neighbouring layers of samples with a frame of no material around them. */
 class LayerReader
@@ -164,14 +139,15 @@ ReadSamples(const Index & size, const RowReader & row, std::vector<MaterialRuns>
       {
         for (int i = 0; i < size[0]; ++i)
         {
-          std::array<Material, 8> samples;
-          for (int n = 0; n < 8; ++n)
+          const Material own = reader.At(0, i, j);
+          if (own < numberOfMaterials)
           {
-            samples[n] = reader.At(n >> 2, i + (n & 1), j + (n >> 1 & 1));
-          }
-          if (samples[0] < numberOfMaterials)
-          {
-            sums[range][samples[0]] += CountSimplices(samples);
+            std::array<bool, 8> same;
+            for (int n = 0; n < 8; ++n)
+            {
+              same[n] = reader.At(n >> 2, i + (n & 1), j + (n >> 1 & 1)) == own;
+            }
+            sums[range][own] += CountSimplices(same);
           }
         }
       }

@@ -18,11 +18,6 @@
 #include "mmmSampleLattice.h"
 
 #include "mmmParallel.h"
-#include "mmmTetrahedronRaster.h"
-
-#include <algorithm>
-#include <atomic>
-#include <cmath>
 
 namespace mmm
 {
@@ -129,12 +124,11 @@ SampleLattice::IsDecidedByNodes(const Index & sample) const
   return IsUniform(m_Indicators.GetGrid(), m_Indicators.NodeMaterials(), lower, upper);
 }
 
-bool
-SampleLattice::IsBeyondBox(const Index & sample) const
+Material
+SampleLattice::MaterialAt(const Vector & sample, Material exterior) const
 {
-  const Grid & grid = m_Indicators.GetGrid();
-  const Vector x = this->Position(sample);
-  return x[0] > grid.UpperFace(0) || x[1] > grid.UpperFace(1) || x[2] > grid.UpperFace(2);
+  const Vector x = m_Origin + m_Step.cwiseProduct(sample);
+  return this->IsBeyondBox(x) ? exterior : m_Indicators.MaterialAt(x);
 }
 
 SampledMaterials
@@ -144,115 +138,13 @@ SampleLattice::SamplePartition(Material exterior) const
   ParallelFor(materials.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t place = begin; place < end; ++place)
     {
-      const Index sample = this->SampleAt(place);
-      materials[place] = this->IsBeyondBox(sample)        ? exterior
+      const Index  sample = this->SampleAt(place);
+      const Vector x = this->Position(sample);
+      materials[place] = this->IsBeyondBox(x)             ? exterior
                          : this->IsDecidedByNodes(sample) ? m_Indicators.MaterialAtNode(this->VoxelOf(sample))
-                                                          : m_Indicators.MaterialAt(this->Position(sample));
+                                                          : m_Indicators.MaterialAt(x);
     }
   });
-  return materials;
-}
-
-bool
-SampleLattice::HasMarked(const std::vector<char> & marks, const std::array<Vector, 4> & corners, double reach) const
-{
-  // beyond that, looking costs more than it saves
-  constexpr int Most = 64;
-  const Grid &  grid = m_Indicators.GetGrid();
-  Index         lower;
-  Index         upper;
-  int           count = 1;
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto coordinates = { corners[0][a], corners[1][a], corners[2][a], corners[3][a] };
-    lower[a] = std::max(0, int(std::floor((std::min(coordinates) - reach) / m_Refinement)));
-    upper[a] = std::min(grid.size[a] - 1, int(std::floor((std::max(coordinates) + reach) / m_Refinement)));
-    count *= std::min(Most, std::max(0, upper[a] - lower[a] + 1));
-  }
-  if (count > Most)
-  {
-    return true;
-  }
-  for (int k = lower[2]; k <= upper[2]; ++k)
-  {
-    for (int j = lower[1]; j <= upper[1]; ++j)
-    {
-      for (int i = lower[0]; i <= upper[0]; ++i)
-      {
-        const auto number = m_Numbers[grid.Offset(i, j, k)];
-        if (number != None && marks[number])
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-template <typename TVisitor>
-void
-SampleLattice::VisitSamplesInside(const std::vector<Vector> & points,
-                                  const TetrahedralMesh &     mesh,
-                                  double                      reach,
-                                  const std::vector<char> &   marks,
-                                  const TVisitor &            visit) const
-{
-  ParallelFor(mesh.tetrahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      std::array<Vector, 4> corners;
-      for (int c = 0; c < 4; ++c)
-      {
-        corners[c] = (points[mesh.tetrahedra[t][c]] - m_Origin).cwiseQuotient(m_Step);
-      }
-      if (!this->HasMarked(marks, corners, reach))
-      {
-        continue;
-      }
-      VisitIndicesInside(m_Size, corners, reach, [&](const Index & sample) {
-        const auto place = this->PlaceOf(sample);
-        if (place != NotKept)
-        {
-          visit(t, place);
-        }
-      });
-    }
-  });
-}
-
-SampledMaterials
-SampleLattice::SampleMesh(const std::vector<Vector> & points,
-                          const TetrahedralMesh &     mesh,
-                          Material                    exterior,
-                          const SampledMaterials &    wanted,
-                          double                      tolerance) const
-{
-  SampledMaterials  materials(this->NumberOfKept(), exterior);
-  std::vector<char> marks(m_Voxels.size(), 1);
-  // a sample is inside of one tetrahedron at most: no two threads write to one place
-  this->VisitSamplesInside(
-    points, mesh, -1e-9, marks, [&](std::size_t t, std::size_t place) { materials[place] = mesh.materials[t]; });
-
-  std::fill(marks.begin(), marks.end(), 0);
-  for (std::size_t place = 0; place < materials.size(); ++place)
-  {
-    marks[place / m_SamplesPerVoxel] |= char(materials[place] != wanted[place]);
-  }
-  std::vector<std::atomic<bool>> isNear(materials.size());
-  this->VisitSamplesInside(points, mesh, tolerance * m_Refinement, marks, [&](std::size_t t, std::size_t place) {
-    if (mesh.materials[t] == wanted[place] && materials[place] != wanted[place])
-    {
-      isNear[place].store(true, std::memory_order_relaxed);
-    }
-  });
-  for (std::size_t place = 0; place < materials.size(); ++place)
-  {
-    if (isNear[place])
-    {
-      materials[place] = wanted[place];
-    }
-  }
   return materials;
 }
 } // namespace mmm

@@ -47,15 +47,10 @@ SampleNeighbours::SampleNeighbours()
       }
     }
   }
-  m_Characteristics.resize(NumberOfSets);
   m_IsDisk.resize(NumberOfSets);
   for (unsigned set = 0; set < NumberOfSets; ++set)
   {
-    // on a sphere, each gap but one is a hole
-    const int parts = this->CountParts(set);
-    const int gaps = this->CountParts(NumberOfSets - 1 - set);
-    m_Characteristics[set] = std::int8_t(parts == 0 ? 0 : gaps == 0 ? 2 : parts - gaps + 1);
-    m_IsDisk[set] = parts == 1 && gaps == 1;
+    m_IsDisk[set] = this->CountParts(set) == 1 && this->CountParts(NumberOfSets - 1 - set) == 1;
   }
 }
 

@@ -24,7 +24,6 @@
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
 #include "mmmSpatialOrder.h"
-#include "mmmStuckTetrahedra.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
 #include "mmmTopologyDifferences.h"
@@ -42,10 +41,10 @@ namespace
  * partition of the indicators: where its topology is another one, particles are added. */
 constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
+/** Where it need not be kept, places with more samples than this stay as they are: the sizes do not resolve them. */
+constexpr std::size_t LargestPlace = 80;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
-/** Then, differences are looked for more closely, see SampleLattice::UsualTolerance. */
-constexpr double CloseTolerance = 0.05;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
@@ -222,7 +221,6 @@ public:
     , m_Exterior(Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials()))
     , m_Seed(seed)
     , m_MendingRounds(keepTopology ? MendingRounds : 0)
-    , m_Tolerance(keepTopology ? CloseTolerance : SampleLattice::UsualTolerance)
     , m_Lattice(indicators, SampleLattice::RefinementFor(keepTopology))
     , m_Partition(m_Lattice.SamplePartition(m_Exterior))
     , m_Sizes(sizes)
@@ -316,13 +314,8 @@ private:
   bool
   Mend(int round)
   {
-    auto samples = this->FindDifferingSamples();
-    if (round > 0)
-    {
-      this->AddStuckSamples(samples);
-    }
     const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
-    return this->SampleFinely(samples, distance) > 0 || round == 0;
+    return this->SampleFinely(this->FindDifferingSamples(), distance) > 0 || round == 0;
   }
 
   /** The samples where the topology of the tetrahedra is not that of the partition. */
@@ -330,29 +323,16 @@ private:
   FindDifferingSamples() const
   {
     std::vector<Index> samples;
-    for (const auto & difference : FindTopologyDifferences(
-           m_Lattice,
-           m_Partition,
-           m_Lattice.SampleMesh(m_Particles.positions, m_Labelled, m_Exterior, m_Partition, m_Tolerance)))
+    const auto         differences =
+      FindTopologyDifferences(m_Lattice, m_Partition, m_Particles.positions, m_Labelled, m_Exterior);
+    for (const auto & place : differences.places)
     {
-      for (const auto place : difference.samples)
+      if (m_MendingRounds > 0 || place.samples.size() <= LargestPlace)
       {
-        samples.push_back(m_Lattice.SampleAt(place));
+        samples.insert(samples.end(), place.samples.begin(), place.samples.end());
       }
     }
     return samples;
-  }
-
-  /** Those near what is wrong between samples, and near some places where it is right. */
-  void
-  AddStuckSamples(std::vector<Index> & samples) const
-  {
-    const auto & x = m_Particles.positions;
-    for (const auto t : FindStuckTetrahedra(m_Indicators, x, *m_Adjacency, m_Exterior, m_Labelled))
-    {
-      const auto & c = m_Labelled.tetrahedra[t];
-      samples.push_back(m_Lattice.SampleNear(0.25 * (x[c[0]] + x[c[1]] + x[c[2]] + x[c[3]])));
-    }
   }
 
   /** Adds particles around samples, at a distance. Returns how many. */
@@ -374,7 +354,6 @@ private:
   const Material                      m_Exterior;
   const std::uint64_t                 m_Seed;
   const int                           m_MendingRounds;
-  const double                        m_Tolerance;
   const SampleLattice                 m_Lattice;
   const SampledMaterials              m_Partition;
   std::vector<float> &                m_Sizes;

@@ -20,6 +20,8 @@
 #include "mmmPartitionTopology.h"
 #include "mmmTopologyDifferences.h"
 
+#include <algorithm>
+
 namespace mmm
 {
 namespace
@@ -31,20 +33,31 @@ CharacteristicOf(const BettiNumbers & betti)
 }
 
 TopologyPlace
-Describe(const SampleLattice & lattice, const TopologyDifference & difference)
+Describe(const TopologyDifference & difference)
 {
   TopologyPlace entry;
-  entry.place.position = Vector::Zero();
-  for (const auto sample : difference.samples)
-  {
-    entry.place.position += lattice.Position(lattice.SampleAt(sample)) / double(difference.samples.size());
-  }
+  entry.place.position = difference.position;
   for (const auto & change : difference.changes)
   {
     entry.place.labels.push_back(int(change.material));
     entry.changes.push_back(change.change);
   }
   return entry;
+}
+/** Changes the characteristic of numbers that come from samples: components and cavities as far as the mesh has others,
+ * and tunnels. */
+void
+Correct(BettiNumbers & partition, const BettiNumbers & mesh, std::ptrdiff_t change)
+{
+  for (const int n : { 0, 2 })
+  {
+    const auto lowest = std::min<std::ptrdiff_t>(change, 0);
+    const auto highest = std::max<std::ptrdiff_t>(change, 0);
+    const auto step = std::min(std::max(mesh[n] - partition[n], lowest), highest);
+    partition[n] += step;
+    change -= step;
+  }
+  partition[1] -= change;
 }
 } // namespace
 
@@ -57,20 +70,24 @@ CompareTopology(const IndicatorSet &        indicators,
 {
   const SampleLattice         lattice(indicators, samplesPerVoxel);
   const SampledMaterials      wanted = lattice.SamplePartition(exterior);
-  const SampledMaterials      actual = lattice.SampleMesh(points, mesh, exterior, wanted);
-  const auto                  partition = ComputePartitionTopology(lattice, wanted);
+  auto                        partition = ComputePartitionTopology(lattice, wanted);
   TopologyReport              report;
-  std::vector<std::ptrdiff_t> explained(partition.size() + 1, 0); // the exterior may have no number
-  for (const auto & difference : FindTopologyDifferences(lattice, wanted, actual))
+  std::vector<std::ptrdiff_t> explained(partition.size(), 0);
+  const auto                  differences = FindTopologyDifferences(lattice, wanted, points, mesh, exterior);
+  for (const auto & place : differences.places)
   {
-    report.differences.push_back(Describe(lattice, difference));
-    for (const auto & change : difference.changes)
+    report.differences.push_back(Describe(place));
+    for (const auto & change : place.changes)
     {
       explained[change.material] += change.change;
     }
   }
   const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
   const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
+  for (const auto & change : differences.betweenSamples)
+  {
+    Correct(partition[change.material], topology.regions[change.material].betti, change.change);
+  }
   for (std::size_t m = 0; m < partition.size(); ++m)
   {
     if (m != exterior)

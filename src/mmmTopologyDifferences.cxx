@@ -17,144 +17,306 @@
  *=========================================================================*/
 #include "mmmTopologyDifferences.h"
 
+#include "mmmDisjointSets.h"
+#include "mmmFineSamples.h"
+#include "mmmLocalCharacteristics.h"
+#include "mmmMakeUnique.h"
+#include "mmmParallel.h"
 #include "mmmSampleNeighbours.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mmm
 {
 namespace
 {
-class PartitionComparer
+/** A voxel or two. */
+constexpr int SamplesPerBlock = 4;
+/** By how much more finely places are looked at, and at how many samples at most: of a place, and, if more, in all. */
+constexpr int         Subdivisions[] = { 2, 4, 8 };
+constexpr std::size_t MostSamplesOfPlace = 120000;
+constexpr std::size_t MostSamples = 1000000;
+
+using Cells = std::vector<std::size_t>;
+
+/** With this sign the characteristics of cells add up. */
+int
+SignOf(const Index & cell)
+{
+  return BlockComplex::DimensionOf(cell) % 2 ? 1 : -1;
+}
+
+/** Whether one of two neighbouring cells is a part of the other. */
+bool
+IsIncident(const Index & a, const Index & b)
+{
+  bool isPart = true;
+  bool hasPart = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    isPart = isPart && (a[axis] == b[axis] || a[axis] % 2 == 1);
+    hasPart = hasPart && (a[axis] == b[axis] || b[axis] % 2 == 1);
+  }
+  return isPart || hasPart;
+}
+
+class DifferenceFinder
 {
 public:
-  PartitionComparer(const SampleLattice & lattice, const SampledMaterials & wanted, SampledMaterials & actual)
+  DifferenceFinder(const SampleLattice &       lattice,
+                   const SampledMaterials &    partition,
+                   const std::vector<Vector> & points,
+                   const TetrahedralMesh &     mesh,
+                   Material                    exterior)
     : m_Lattice(lattice)
-    , m_Wanted(wanted)
-    , m_Actual(actual)
+    , m_Partition(partition)
+    , m_Exterior(exterior)
+    , m_Blocks(lattice, SamplesPerBlock)
+    , m_Left(CompareCharacteristics(m_Blocks, lattice, partition, points, mesh, exterior))
   {}
 
-  std::vector<TopologyDifference>
-  Compare()
+  TopologyDifferences
+  Find() const
   {
-    for (std::size_t place = 0; place < m_Wanted.size(); ++place)
+    Cells cells;
+    for (const auto & entry : m_Left)
     {
-      if (m_Wanted[place] != m_Actual[place])
+      cells.push_back(entry.cell);
+    }
+    MakeUnique(cells);
+    const auto        parts = this->DifferingPartsOf(Joined(this->DifferingPartsOf(cells, IsIncident)),
+                                              [](const Index &, const Index &) { return true; });
+    const std::size_t most = std::max(MostSamplesOfPlace, MostSamples / std::max<std::size_t>(parts.size(), 1));
+    std::vector<char> isBetweenSamples(parts.size(), 0);
+    ParallelFor(parts.size(), 1, [&](std::size_t n, std::size_t) {
+      isBetweenSamples[n] = char(this->VanishesBetweenSamples(parts[n], most));
+    });
+    TopologyDifferences result;
+    for (std::size_t n = 0; n < parts.size(); ++n)
+    {
+      if (isBetweenSamples[n])
       {
-        m_Left.push_back(place);
+        for (const auto & entry : this->ChangesOf(parts[n]))
+        {
+          AddChange(result.betweenSamples, entry.material, entry.change);
+        }
+      }
+      else
+      {
+        result.places.push_back(this->Describe(parts[n]));
       }
     }
-    std::size_t before = 0;
-    do
-    {
-      before = m_Left.size();
-      m_Left.erase(
-        std::remove_if(m_Left.begin(), m_Left.end(), [this](std::size_t place) { return this->Turn(place); }),
-        m_Left.end());
-    } while (m_Left.size() < before);
-    return this->SortIntoParts();
+    return result;
   }
 
 private:
-  /** The neighbours that are of a material at present. */
-  unsigned
-  NeighboursOf(const Index & sample, Material material) const
+  /** Sorts cells into parts of which neighbours, if they are joined, are in the same one. */
+  template <typename TIsJoined>
+  std::vector<Cells>
+  PartsOf(const Cells & cells, const TIsJoined & isJoined) const
   {
-    unsigned set = 0;
-    for (int n = 0; n < SampleNeighbours::Count; ++n)
+    DisjointSets sets(cells.size());
+    for (std::size_t n = 0; n < cells.size(); ++n)
     {
-      const Index other = SampleNeighbours::Of(sample, n);
-      set |= unsigned(m_Lattice.Contains(other) && m_Lattice.At(m_Actual, other) == material) << n;
+      const Index here = m_Blocks.CellAt(cells[n]);
+      IndexBox{ { { here[0] - 1, here[1] - 1, here[2] - 1 } }, { { here[0] + 1, here[1] + 1, here[2] + 1 } } }.Visit(
+        [&](const Index & there) {
+          if (!m_Blocks.Contains(there) || !isJoined(here, there))
+          {
+            return;
+          }
+          const auto number = m_Blocks.NumberOf(there);
+          const auto found = std::lower_bound(cells.begin(), cells.begin() + n, number);
+          if (found != cells.begin() + n && *found == number)
+          {
+            sets.Unite(std::uint32_t(n), std::uint32_t(found - cells.begin()));
+          }
+        });
     }
-    return set;
+    std::vector<Cells>       parts;
+    std::vector<std::size_t> numbers(cells.size());
+    for (std::uint32_t n = 0; n < cells.size(); ++n)
+    {
+      const auto first = sets.Find(n);
+      if (first == n)
+      {
+        numbers[n] = parts.size();
+        parts.emplace_back();
+      }
+      parts[numbers[first]].push_back(cells[n]);
+    }
+    return parts;
   }
 
-  /** Gives a sample the material that is wanted, unless that changes the topology. */
-  bool
-  Turn(std::size_t place)
+  /** Those that add up to a difference. */
+  template <typename TIsJoined>
+  std::vector<Cells>
+  DifferingPartsOf(const Cells & cells, const TIsJoined & isJoined) const
   {
-    const Index sample = m_Lattice.SampleAt(place);
-    if (!m_Neighbours.IsDisk(this->NeighboursOf(sample, m_Actual[place])) ||
-        !m_Neighbours.IsDisk(this->NeighboursOf(sample, m_Wanted[place])))
+    std::vector<Cells> parts = this->PartsOf(cells, isJoined);
+    parts.erase(
+      std::remove_if(parts.begin(), parts.end(), [this](const Cells & part) { return IsZero(this->ChangesOf(part)); }),
+      parts.end());
+    return parts;
+  }
+
+  static Cells
+  Joined(const std::vector<Cells> & parts)
+  {
+    Cells cells;
+    for (const Cells & part : parts)
+    {
+      cells.insert(cells.end(), part.begin(), part.end());
+    }
+    std::sort(cells.begin(), cells.end());
+    return cells;
+  }
+
+  /** Calls visit(material, value) for the differences of a cell. */
+  template <typename TVisitor>
+  void
+  VisitLeft(std::size_t cell, const TVisitor & visit) const
+  {
+    auto entry = std::lower_bound(
+      m_Left.begin(), m_Left.end(), cell, [](const LocalCharacteristic & e, std::size_t c) { return e.cell < c; });
+    for (; entry != m_Left.end() && entry->cell == cell; ++entry)
+    {
+      visit(entry->material, entry->value);
+    }
+  }
+
+  EulerChanges
+  ChangesOf(const Cells & part) const
+  {
+    EulerChanges changes;
+    for (const auto cell : part)
+    {
+      const int sign = SignOf(m_Blocks.CellAt(cell));
+      this->VisitLeft(cell,
+                      [&](Material material, std::ptrdiff_t value) { AddChange(changes, material, sign * value); });
+    }
+    return changes;
+  }
+
+  /** Whether more samples, but no more than `most`, make the difference of a part go away. */
+  bool
+  VanishesBetweenSamples(const Cells & part, std::size_t most) const
+  {
+    IndexBox box{ m_Blocks.CellAt(part[0]), m_Blocks.CellAt(part[0]) };
+    for (const auto cell : part)
+    {
+      const Index at = m_Blocks.CellAt(cell);
+      for (int a = 0; a < 3; ++a)
+      {
+        box.lower[a] = std::min(box.lower[a], at[a] / 2 * 2);
+        box.upper[a] = std::max(box.upper[a], (at[a] + 1) / 2 * 2);
+      }
+    }
+    const auto changes = this->ChangesOf(part);
+    for (const int margin : { 0, 2 })
+    {
+      const IndexBox wide = this->Grown(box, margin);
+      for (const int subdivision : Subdivisions)
+      {
+        if (FineSamples::Count(m_Blocks, wide, subdivision) <= most && this->VanishesAt(wide, subdivision, changes))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** As far as there are cells. */
+  IndexBox
+  Grown(IndexBox box, int margin) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      box.lower[a] = std::max(0, box.lower[a] - margin);
+      box.upper[a] = std::min(2 * (m_Blocks.NumberOfBlocks(a) - 1), box.upper[a] + margin);
+    }
+    return box;
+  }
+
+  /** Whether a subdivision of blocks makes given changes go away, and leaves the outside of the blocks as it is. */
+  bool
+  VanishesAt(const IndexBox & blocks, int subdivision, EulerChanges changes) const
+  {
+    const FineSamples samples(m_Lattice, m_Blocks, blocks, subdivision, m_Exterior);
+    bool              isSameOutside = true;
+    this->Grown(blocks, 1).Visit([&](const Index & cell) {
+      isSameOutside = isSameOutside && (blocks.Contains(cell) || IsZero(samples.ChangesAt(cell)));
+    });
+    if (!isSameOutside)
     {
       return false;
     }
-    m_Actual[place] = m_Wanted[place];
-    return true;
+    blocks.Visit([&](const Index & cell) {
+      for (const auto & entry : samples.ChangesAt(cell))
+      {
+        AddChange(changes, entry.material, -SignOf(cell) * entry.change);
+      }
+    });
+    return IsZero(changes);
   }
 
-  std::vector<TopologyDifference>
-  SortIntoParts()
+  TopologyDifference
+  Describe(const Cells & part) const
   {
-    std::vector<TopologyDifference> differences;
-    std::vector<char>               isTaken(m_Left.size(), 0);
-    for (std::size_t first = 0; first < m_Left.size(); ++first)
+    TopologyDifference difference;
+    const auto         changes = this->ChangesOf(part);
+    std::copy_if(changes.begin(), changes.end(), std::back_inserter(difference.changes), [](const EulerChange & entry) {
+      return entry.change != 0;
+    });
+    difference.position = Vector::Zero();
+    for (const auto number : part)
     {
-      if (isTaken[first])
-      {
-        continue;
-      }
-      isTaken[first] = 1;
-      TopologyDifference difference{ { m_Left[first] }, {} };
-      auto &             samples = difference.samples;
-      for (std::size_t s = 0; s < samples.size(); ++s)
-      {
-        const Index sample = m_Lattice.SampleAt(samples[s]);
-        for (int n = 0; n < SampleNeighbours::Count; ++n)
-        {
-          const Index other = SampleNeighbours::Of(sample, n);
-          const auto  place = m_Lattice.Contains(other) ? m_Lattice.PlaceOf(other) : SampleLattice::NotKept;
-          const auto  found = std::lower_bound(m_Left.begin(), m_Left.end(), place);
-          if (found != m_Left.end() && *found == place && !isTaken[found - m_Left.begin()])
-          {
-            isTaken[found - m_Left.begin()] = 1;
-            samples.push_back(place);
-          }
-        }
-      }
-      std::sort(samples.begin(), samples.end());
-      this->AddChanges(difference);
-      differences.push_back(std::move(difference));
+      const Index cell = m_Blocks.CellAt(number);
+      difference.position +=
+        0.5 * (m_Lattice.Position(m_Blocks.FirstSample(cell)) + m_Lattice.Position(m_Blocks.LastSample(cell)));
+      this->AddMixedSamples(cell, difference.samples);
     }
-    return differences;
+    difference.position /= double(part.size());
+    MakeUnique(difference.samples);
+    return difference;
   }
 
-  /** Turns the samples all the same, and counts what that does. */
+  /** Adds the samples of a cell that touch one of another material. */
   void
-  AddChanges(TopologyDifference & difference)
+  AddMixedSamples(const Index & cell, std::vector<Index> & samples) const
   {
-    auto &     changes = difference.changes;
-    const auto add = [&](Material material, std::ptrdiff_t change) {
-      const auto isBelow = [](const EulerChange & entry, Material m) { return entry.material < m; };
-      auto       at = std::lower_bound(changes.begin(), changes.end(), material, isBelow);
-      if (at == changes.end() || at->material != material)
+    IndexBox{ m_Blocks.FirstSample(cell), m_Blocks.LastSample(cell) }.Visit([&](const Index & sample) {
+      const Material own = m_Lattice.At(m_Partition, sample);
+      bool           isMixed = false;
+      for (int n = 0; n < SampleNeighbours::Count && !isMixed; ++n)
       {
-        at = changes.insert(at, { material, 0 });
+        const Index other = SampleNeighbours::Of(sample, n);
+        isMixed = !m_Lattice.Contains(other) || m_Lattice.At(m_Partition, other) != own;
       }
-      at->change += change;
-    };
-    for (const auto place : difference.samples)
-    {
-      // with the sample come a vertex and the simplices between it and the part that the neighbours span
-      const Index sample = m_Lattice.SampleAt(place);
-      add(m_Actual[place], 1 - m_Neighbours.CharacteristicOf(this->NeighboursOf(sample, m_Actual[place])));
-      add(m_Wanted[place], m_Neighbours.CharacteristicOf(this->NeighboursOf(sample, m_Wanted[place])) - 1);
-      m_Actual[place] = m_Wanted[place];
-    }
+      if (isMixed)
+      {
+        samples.push_back(sample);
+      }
+    });
   }
 
-  const SampleLattice &    m_Lattice;
-  const SampledMaterials & m_Wanted;
-  SampledMaterials &       m_Actual;
-  const SampleNeighbours   m_Neighbours;
-  /** Where they differ still, ascending. */
-  std::vector<std::size_t> m_Left;
+  const SampleLattice &      m_Lattice;
+  const SampledMaterials &   m_Partition;
+  const Material             m_Exterior;
+  BlockComplex               m_Blocks;
+  const LocalCharacteristics m_Left;
 };
 } // namespace
 
-std::vector<TopologyDifference>
-FindTopologyDifferences(const SampleLattice & lattice, const SampledMaterials & wanted, SampledMaterials actual)
+TopologyDifferences
+FindTopologyDifferences(const SampleLattice &       lattice,
+                        const SampledMaterials &    partition,
+                        const std::vector<Vector> & points,
+                        const TetrahedralMesh &     mesh,
+                        Material                    exterior)
 {
-  return PartitionComparer(lattice, wanted, actual).Compare();
+  return DifferenceFinder(lattice, partition, points, mesh, exterior).Find();
 }
 } // namespace mmm

@@ -1,0 +1,126 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mmmBlockComplex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+BlockComplex::BlockComplex(const SampleLattice & lattice, int samplesPerBlock)
+  : m_Lattice(lattice)
+  , m_SamplesPerBlock(samplesPerBlock)
+  , m_Origin(lattice.Position({ { 0, 0, 0 } }))
+  , m_BlockSize(lattice.Position({ { samplesPerBlock, samplesPerBlock, samplesPerBlock } }) - m_Origin)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    m_Blocks[a] = (lattice.GetSize()[a] + samplesPerBlock - 1) / samplesPerBlock;
+    m_Size[a] = 2 * m_Blocks[a] - 1;
+  }
+  m_IsKept.assign(std::size_t(m_Blocks[0]) * m_Blocks[1] * m_Blocks[2], 0);
+  for (std::size_t place = 0; place < lattice.NumberOfKept(); ++place)
+  {
+    const Index sample = lattice.SampleAt(place);
+    Index       lower;
+    Index       upper;
+    for (int a = 0; a < 3; ++a)
+    {
+      upper[a] = sample[a] / samplesPerBlock;
+      lower[a] = std::max(0, sample[a] - 1) / samplesPerBlock; // a sample on a plane is of both blocks
+    }
+    this->KeepBlocks(lower, upper);
+  }
+}
+
+void
+BlockComplex::KeepBlocks(const Index & lower, const Index & upper)
+{
+  for (int k = lower[2]; k <= upper[2]; ++k)
+  {
+    for (int j = lower[1]; j <= upper[1]; ++j)
+    {
+      for (int i = lower[0]; i <= upper[0]; ++i)
+      {
+        m_IsKept[(std::size_t(k) * m_Blocks[1] + j) * m_Blocks[0] + i] = 1;
+      }
+    }
+  }
+}
+
+void
+BlockComplex::Keep(const Vector & lower, const Vector & upper)
+{
+  Index first;
+  Index last;
+  for (int a = 0; a < 3; ++a)
+  {
+    this->CellsOf(a, lower[a], upper[a], first[a], last[a]);
+    first[a] /= 2;
+    last[a] /= 2;
+  }
+  this->KeepBlocks(first, last);
+}
+
+bool
+BlockComplex::HasKept(const Index & lower, const Index & upper) const
+{
+  for (int k = lower[2] / 2; k <= (upper[2] + 1) / 2; ++k)
+  {
+    for (int j = lower[1] / 2; j <= (upper[1] + 1) / 2; ++j)
+    {
+      for (int i = lower[0] / 2; i <= (upper[0] + 1) / 2; ++i)
+      {
+        if (m_IsKept[(std::size_t(k) * m_Blocks[1] + j) * m_Blocks[0] + i])
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+Index
+BlockComplex::FirstSample(const Index & cell) const
+{
+  return { { (cell[0] + 1) / 2 * m_SamplesPerBlock,
+             (cell[1] + 1) / 2 * m_SamplesPerBlock,
+             (cell[2] + 1) / 2 * m_SamplesPerBlock } };
+}
+
+Index
+BlockComplex::LastSample(const Index & cell) const
+{
+  Index last;
+  for (int a = 0; a < 3; ++a)
+  {
+    last[a] = std::min((cell[a] / 2 + 1) * m_SamplesPerBlock, m_Lattice.GetSize()[a] - 1);
+  }
+  return last;
+}
+
+void
+BlockComplex::CellsOf(int axis, double lower, double upper, int & first, int & last) const
+{
+  const auto blockAt = [&](double x) { return std::min(std::max(int(std::floor(x)), 0), m_Blocks[axis] - 1); };
+  first = 2 * blockAt(lower);
+  first -= first > 0 && lower == 0.5 * first ? 2 : 0; // on the plane
+  last = 2 * blockAt(upper);
+}
+} // namespace mmm
