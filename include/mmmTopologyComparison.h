@@ -55,10 +55,10 @@ struct TopologyReport
 /** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
  *
  * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
- * for what lies between samples where the mesh is right, see FindTopologyDifferences(): components and cavities as far
- * as the mesh has others, and tunnels. The places are found there, too; their
- * changes add up to the difference of the Euler characteristics, or else what is left unexplained is told.
- * `samplesPerVoxel` is along each axis, 2 or 4. */
+ * where more samples show that the mesh is right, see FindTopologyDifferences(): if no place is left for a material,
+ * its numbers are the mesh's, otherwise its tunnels change. The places are found there, too; their changes add up to
+ * the difference of the Euler characteristics, or else what is left unexplained is told. `samplesPerVoxel` is along
+ * each axis, 2 or 4. */
 MultiMaterialMeshing_EXPORT TopologyReport
 CompareTopology(const IndicatorSet &        indicators,
                 const std::vector<Vector> & points,

@@ -20,8 +20,6 @@
 #include "mmmPartitionTopology.h"
 #include "mmmTopologyDifferences.h"
 
-#include <algorithm>
-
 namespace mmm
 {
 namespace
@@ -44,21 +42,6 @@ Describe(const TopologyDifference & difference)
   }
   return entry;
 }
-/** Changes the characteristic of numbers that come from samples: components and cavities as far as the mesh has others,
- * and tunnels. */
-void
-Correct(BettiNumbers & partition, const BettiNumbers & mesh, std::ptrdiff_t change)
-{
-  for (const int n : { 0, 2 })
-  {
-    const auto lowest = std::min<std::ptrdiff_t>(change, 0);
-    const auto highest = std::max<std::ptrdiff_t>(change, 0);
-    const auto step = std::min(std::max(mesh[n] - partition[n], lowest), highest);
-    partition[n] += step;
-    change -= step;
-  }
-  partition[1] -= change;
-}
 } // namespace
 
 TopologyReport
@@ -73,6 +56,7 @@ CompareTopology(const IndicatorSet &        indicators,
   auto                        partition = ComputePartitionTopology(lattice, wanted);
   TopologyReport              report;
   std::vector<std::ptrdiff_t> explained(partition.size(), 0);
+  std::vector<char>           hasPlace(partition.size(), 0);
   const auto                  differences = FindTopologyDifferences(lattice, wanted, points, mesh, exterior);
   for (const auto & place : differences.places)
   {
@@ -80,13 +64,24 @@ CompareTopology(const IndicatorSet &        indicators,
     for (const auto & change : place.changes)
     {
       explained[change.material] += change.change;
+      hasPlace[change.material] = 1;
     }
   }
   const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
   const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
   for (const auto & change : differences.betweenSamples)
   {
-    Correct(partition[change.material], topology.regions[change.material].betti, change.change);
+    // without a place, all differences went away, of components and cavities, too
+    BettiNumbers &       betti = partition[change.material];
+    const BettiNumbers & ofMesh = topology.regions[change.material].betti;
+    if (!hasPlace[change.material] && CharacteristicOf(betti) + change.change == CharacteristicOf(ofMesh))
+    {
+      betti = ofMesh;
+    }
+    else
+    {
+      betti[1] -= change.change;
+    }
   }
   for (std::size_t m = 0; m < partition.size(); ++m)
   {
