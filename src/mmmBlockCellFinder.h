@@ -68,7 +68,7 @@ private:
     for (int c = first; c <= last; ++c)
     {
       const double begin = c & 1 ? 0.5 * (c + 1) : c == 0 ? lower : 0.5 * c;
-      const double end = c & 1 ? begin : c / 2 + 1 == m_Blocks.NumberOfBlocks(axis) ? upper : 0.5 * c + 1.0;
+      const double end = c & 1 ? begin : c / 2 + 1 == m_Blocks.Blocks().size[axis] ? upper : 0.5 * c + 1.0;
       if (end < lower || begin > upper)
       {
         continue;

@@ -30,63 +30,39 @@ BlockComplex::BlockComplex(const SampleLattice & lattice, int samplesPerBlock)
 {
   for (int a = 0; a < 3; ++a)
   {
-    m_Blocks[a] = (lattice.GetSize()[a] + samplesPerBlock - 1) / samplesPerBlock;
-    m_Size[a] = 2 * m_Blocks[a] - 1;
+    m_Blocks.size[a] = (lattice.GetSize()[a] + samplesPerBlock - 1) / samplesPerBlock;
+    m_Cells.size[a] = 2 * m_Blocks.size[a] - 1;
   }
-  m_IsKept.assign(std::size_t(m_Blocks[0]) * m_Blocks[1] * m_Blocks[2], 0);
+  m_IsKept.assign(m_Blocks.NumberOfNodes(), 0);
   for (std::size_t place = 0; place < lattice.NumberOfKept(); ++place)
   {
     const Index sample = lattice.SampleAt(place);
-    Index       lower;
-    Index       upper;
+    IndexBox    blocks;
     for (int a = 0; a < 3; ++a)
     {
-      upper[a] = sample[a] / samplesPerBlock;
-      lower[a] = std::max(0, sample[a] - 1) / samplesPerBlock; // a sample on a plane is of both blocks
+      blocks.upper[a] = sample[a] / samplesPerBlock;
+      blocks.lower[a] = std::max(0, sample[a] - 1) / samplesPerBlock; // a sample on a plane is of both blocks
     }
-    this->KeepBlocks(lower, upper);
+    this->Keep(blocks);
   }
 }
 
 void
-BlockComplex::KeepBlocks(const Index & lower, const Index & upper)
+BlockComplex::Keep(const IndexBox & blocks)
 {
-  for (int k = lower[2]; k <= upper[2]; ++k)
-  {
-    for (int j = lower[1]; j <= upper[1]; ++j)
-    {
-      for (int i = lower[0]; i <= upper[0]; ++i)
-      {
-        m_IsKept[(std::size_t(k) * m_Blocks[1] + j) * m_Blocks[0] + i] = 1;
-      }
-    }
-  }
-}
-
-void
-BlockComplex::Keep(const Vector & lower, const Vector & upper)
-{
-  Index first;
-  Index last;
-  for (int a = 0; a < 3; ++a)
-  {
-    this->CellsOf(a, lower[a], upper[a], first[a], last[a]);
-    first[a] /= 2;
-    last[a] /= 2;
-  }
-  this->KeepBlocks(first, last);
+  blocks.Visit([this](const Index & block) { m_IsKept[m_Blocks.Offset(block)] = 1; });
 }
 
 bool
-BlockComplex::HasKept(const Index & lower, const Index & upper) const
+BlockComplex::HasKept(const IndexBox & cells) const
 {
-  for (int k = lower[2] / 2; k <= (upper[2] + 1) / 2; ++k)
+  for (int k = cells.lower[2] / 2; k <= (cells.upper[2] + 1) / 2; ++k)
   {
-    for (int j = lower[1] / 2; j <= (upper[1] + 1) / 2; ++j)
+    for (int j = cells.lower[1] / 2; j <= (cells.upper[1] + 1) / 2; ++j)
     {
-      for (int i = lower[0] / 2; i <= (upper[0] + 1) / 2; ++i)
+      for (int i = cells.lower[0] / 2; i <= (cells.upper[0] + 1) / 2; ++i)
       {
-        if (m_IsKept[(std::size_t(k) * m_Blocks[1] + j) * m_Blocks[0] + i])
+        if (m_IsKept[m_Blocks.Offset(i, j, k)])
         {
           return true;
         }
@@ -118,9 +94,20 @@ BlockComplex::LastSample(const Index & cell) const
 void
 BlockComplex::CellsOf(int axis, double lower, double upper, int & first, int & last) const
 {
-  const auto blockAt = [&](double x) { return std::min(std::max(int(std::floor(x)), 0), m_Blocks[axis] - 1); };
+  const auto blockAt = [&](double x) { return std::min(std::max(int(std::floor(x)), 0), m_Blocks.size[axis] - 1); };
   first = 2 * blockAt(lower);
   first -= first > 0 && lower == 0.5 * first ? 2 : 0; // on the plane
   last = 2 * blockAt(upper);
+}
+
+IndexBox
+BlockComplex::CellsOf(const Eigen::AlignedBox3d & box) const
+{
+  IndexBox cells;
+  for (int a = 0; a < 3; ++a)
+  {
+    this->CellsOf(a, box.min()[a], box.max()[a], cells.lower[a], cells.upper[a]);
+  }
+  return cells;
 }
 } // namespace mmm

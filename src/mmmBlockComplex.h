@@ -18,6 +18,7 @@
 #ifndef mmmBlockComplex_h
 #define mmmBlockComplex_h
 
+#include "mmmIndexBox.h"
 #include "mmmSampleLattice.h"
 
 #include <cstddef>
@@ -35,58 +36,34 @@ public:
   /** Keeps the blocks with samples that are kept. */
   BlockComplex(const SampleLattice & lattice, int samplesPerBlock);
 
-  /** Along an axis. */
-  int
-  NumberOfBlocks(int axis) const
+  /** Numbers of the blocks, and of all cells. */
+  const Grid &
+  Blocks() const
   {
-    return m_Blocks[axis];
+    return m_Blocks;
   }
-  int
-  GetSamplesPerBlock() const
+  const Grid &
+  Cells() const
   {
-    return m_SamplesPerBlock;
-  }
-
-  std::size_t
-  NumberOfCells() const
-  {
-    return std::size_t(m_Size[0]) * m_Size[1] * m_Size[2];
-  }
-  bool
-  Contains(const Index & cell) const
-  {
-    return cell[0] >= 0 && cell[1] >= 0 && cell[2] >= 0 && cell[0] < m_Size[0] && cell[1] < m_Size[1] &&
-           cell[2] < m_Size[2];
-  }
-  std::size_t
-  NumberOf(const Index & cell) const
-  {
-    return (std::size_t(cell[2]) * m_Size[1] + cell[1]) * m_Size[0] + cell[0];
-  }
-  Index
-  CellAt(std::size_t number) const
-  {
-    const auto x = std::size_t(m_Size[0]);
-    const auto y = std::size_t(m_Size[1]);
-    return { { int(number % x), int(number / x % y), int(number / (x * y)) } };
+    return m_Cells;
   }
   static int
   DimensionOf(const Index & cell)
   {
     return 3 - (cell[0] & 1) - (cell[1] & 1) - (cell[2] & 1);
   }
-  /** Keeps the blocks, too, that a box from `lower` to `upper`, in units of blocks, meets. */
+
+  /** Keeps blocks, too, which are given by their own indices. */
   void
-  Keep(const Vector & lower, const Vector & upper);
-  /** Whether one of the blocks at a cell is kept. */
+  Keep(const IndexBox & blocks);
+  /** Whether one of the blocks at some cells is kept. */
+  bool
+  HasKept(const IndexBox & cells) const;
   bool
   IsKept(const Index & cell) const
   {
-    return this->HasKept(cell, cell);
+    return this->HasKept({ cell, cell });
   }
-  /** Whether that is so for a cell from `lower` up to `upper`. */
-  bool
-  HasKept(const Index & lower, const Index & upper) const;
 
   /** The samples of a cell. */
   Index
@@ -103,16 +80,15 @@ public:
   /** The cells along an axis that an interval, in units of blocks, meets, and maybe one more before the first. */
   void
   CellsOf(int axis, double lower, double upper, int & first, int & last) const;
+  /** The same for a box. */
+  IndexBox
+  CellsOf(const Eigen::AlignedBox3d & box) const;
 
 private:
-  /** Keeps from one block to another. */
-  void
-  KeepBlocks(const Index & lower, const Index & upper);
-
   const SampleLattice & m_Lattice;
   const int             m_SamplesPerBlock;
-  Index                 m_Blocks;
-  Index                 m_Size;
+  Grid                  m_Blocks;
+  Grid                  m_Cells;
   Vector                m_Origin;
   Vector                m_BlockSize;
   /** Per block. */

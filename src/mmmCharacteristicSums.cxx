@@ -18,6 +18,7 @@
 #include "mmmCharacteristicSums.h"
 
 #include "mmmHash.h"
+#include "mmmParallelCollect.h"
 
 #include <algorithm>
 #include <iterator>
@@ -95,10 +96,9 @@ CharacteristicSums::Grow()
 LocalCharacteristics
 AddUp(const std::vector<LocalCharacteristics> & lists, std::size_t numberOfCells)
 {
-  constexpr std::size_t             Parts = 64;
-  const std::size_t                 cellsPerPart = numberOfCells / Parts + 1;
-  std::vector<LocalCharacteristics> sums(Parts);
-  ParallelFor(Parts, 1, [&](std::size_t part, std::size_t) {
+  constexpr std::size_t Parts = 64;
+  const std::size_t     cellsPerPart = numberOfCells / Parts + 1;
+  return ParallelCollect<LocalCharacteristic>(Parts, 1, [&](std::size_t part, LocalCharacteristics & sums) {
     const auto isBelow = [](const LocalCharacteristic & entry, std::size_t cell) { return entry.cell < cell; };
     LocalCharacteristics all;
     for (const auto & list : lists)
@@ -116,15 +116,9 @@ AddUp(const std::vector<LocalCharacteristics> & lists, std::size_t numberOfCells
       }
       if (sum.value != 0)
       {
-        sums[part].push_back(sum);
+        sums.push_back(sum);
       }
     }
   });
-  LocalCharacteristics result;
-  for (const auto & part : sums)
-  {
-    result.insert(result.end(), part.begin(), part.end());
-  }
-  return result;
 }
 } // namespace mmm

@@ -23,18 +23,18 @@ namespace mmm
 {
 namespace
 {
-/** In steps of the subdivision, both ends included. */
-Index
-SizeOf(const BlockComplex & complex, const IndexBox & blocks, int subdivision)
+/** In steps of the subdivision. */
+Grid
+GridOf(const BlockComplex & complex, const IndexBox & blocks, int subdivision)
 {
   const Index first = complex.FirstSample(blocks.lower);
   const Index last = complex.LastSample(blocks.upper);
-  Index       size;
+  Grid        grid;
   for (int a = 0; a < 3; ++a)
   {
-    size[a] = (last[a] - first[a]) * subdivision + 1;
+    grid.size[a] = (last[a] - first[a]) * subdivision + 1;
   }
-  return size;
+  return grid;
 }
 } // namespace
 
@@ -47,12 +47,11 @@ FineSamples::FineSamples(const SampleLattice & lattice,
   , m_Subdivision(subdivision)
   , m_Exterior(exterior)
   , m_First(complex.FirstSample(blocks.lower))
-  , m_Size(SizeOf(complex, blocks, subdivision))
+  , m_Grid(GridOf(complex, blocks, subdivision))
 {
   const Vector first(m_First[0], m_First[1], m_First[2]);
-  const Index  last{ { m_Size[0] - 1, m_Size[1] - 1, m_Size[2] - 1 } };
-  m_Materials.reserve(Count(complex, blocks, subdivision));
-  IndexBox{ { { 0, 0, 0 } }, last }.Visit([&](const Index & at) {
+  m_Materials.reserve(m_Grid.NumberOfNodes());
+  IndexBox::Of(m_Grid.size).Visit([&](const Index & at) {
     m_Materials.push_back(lattice.MaterialAt(first + Vector(at[0], at[1], at[2]) / double(subdivision), exterior));
   });
 }
@@ -60,8 +59,7 @@ FineSamples::FineSamples(const SampleLattice & lattice,
 std::size_t
 FineSamples::Count(const BlockComplex & complex, const IndexBox & blocks, int subdivision)
 {
-  const Index size = SizeOf(complex, blocks, subdivision);
-  return std::size_t(size[0]) * size[1] * size[2];
+  return GridOf(complex, blocks, subdivision).NumberOfNodes();
 }
 
 EulerChanges
@@ -86,9 +84,9 @@ FineSamples::AddAt(const Index & cell, int step, int sign, EulerChanges & change
     size[a] = (last[a] - first[a]) * m_Subdivision / step + 1;
   }
   std::vector<Material> materials;
-  IndexBox{ { { 0, 0, 0 } }, { { size[0] - 1, size[1] - 1, size[2] - 1 } } }.Visit([&](const Index & at) {
-    const auto row = std::size_t(begin[2] + at[2] * step) * m_Size[1] + begin[1] + at[1] * step;
-    materials.push_back(m_Materials[row * m_Size[0] + begin[0] + at[0] * step]);
+  IndexBox::Of(size).Visit([&](const Index & at) {
+    materials.push_back(
+      m_Materials[m_Grid.Offset(begin[0] + at[0] * step, begin[1] + at[1] * step, begin[2] + at[2] * step)]);
   });
   AddCharacteristicsOfSamples(size, materials, [&](Material material, int count) {
     if (material != m_Exterior)

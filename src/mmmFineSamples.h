@@ -52,7 +52,7 @@ private:
   const int             m_Subdivision;
   const Material        m_Exterior;
   const Index           m_First;
-  Index                 m_Size;
+  const Grid            m_Grid;
   std::vector<Material> m_Materials;
 };
 } // namespace mmm

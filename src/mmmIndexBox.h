@@ -28,6 +28,19 @@ struct IndexBox
   Index lower;
   Index upper;
 
+  /** From 0 up to but without `size`. */
+  static IndexBox
+  Of(const Index & size)
+  {
+    return { { { 0, 0, 0 } }, { { size[0] - 1, size[1] - 1, size[2] - 1 } } };
+  }
+
+  Index
+  Size() const
+  {
+    return { { upper[0] - lower[0] + 1, upper[1] - lower[1] + 1, upper[2] - lower[2] + 1 } };
+  }
+
   bool
   Contains(const Index & index) const
   {

@@ -16,8 +16,8 @@
  *
  *=========================================================================*/
 #include "mmmInterfaceFit.h"
-#include "mmmMakeUnique.h"
 
+#include "mmmMakeUnique.h"
 #include "mmmParallel.h"
 #include "mmmPointSmoother.h"
 #include "mmmTetrahedronRaster.h"

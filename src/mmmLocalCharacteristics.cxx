@@ -18,8 +18,8 @@
 #include "mmmLocalCharacteristics.h"
 
 #include "mmmBlockCellFinder.h"
-#include "mmmHash.h"
 #include "mmmIndexBox.h"
+#include "mmmInterfaceMesh.h"
 #include "mmmSampleCharacteristics.h"
 #include "mmmTetrahedronNeighbours.h"
 #include "mmmTetrahedronRaster.h"
@@ -109,23 +109,15 @@ private:
   bool
   IsNearKept(std::uint32_t p) const
   {
-    Vector lower = m_Points[p];
-    Vector upper = m_Points[p];
+    Eigen::AlignedBox3d box(m_Points[p]);
     for (auto t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
     {
       for (const auto c : m_Mesh.tetrahedra[*t])
       {
-        lower = lower.cwiseMin(m_Points[c]);
-        upper = upper.cwiseMax(m_Points[c]);
+        box.extend(m_Points[c]);
       }
     }
-    Index first;
-    Index last;
-    for (int a = 0; a < 3; ++a)
-    {
-      m_Blocks.CellsOf(a, lower[a], upper[a], first[a], last[a]);
-    }
-    return m_Blocks.HasKept(first, last);
+    return m_Blocks.HasKept(m_Blocks.CellsOf(box));
   }
 
   /** Adds the point, its edges and its faces in a material. Returns where the wedges of the next one begin. */
@@ -185,7 +177,7 @@ private:
     m_Finder.Visit([&](const Index & cell) {
       if (m_Blocks.IsKept(cell))
       {
-        m_Sums.Add(m_Blocks.NumberOf(cell), material, weight);
+        m_Sums.Add(m_Blocks.Cells().Offset(cell), material, weight);
       }
     });
   }
@@ -200,49 +192,68 @@ private:
   std::vector<Wedge>          m_Wedges;
 };
 
-/** Whether points are corners of faces with two materials, or with one tetrahedron. */
-std::vector<char>
-FindInterfacePoints(std::size_t numberOfPoints, const TetrahedralMesh & mesh)
+/** Subtracts what the samples of a partition span in cells. */
+class SampleCounter
 {
-  // each face and material is there once or twice, and what is there twice cancels out
-  std::vector<std::uint64_t> sums(numberOfPoints, 0);
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-  {
-    const auto &                 corners = mesh.tetrahedra[t];
-    std::array<std::uint64_t, 4> hashes;
-    std::transform(corners.begin(), corners.end(), hashes.begin(), [](std::uint32_t c) { return Hash(c); });
-    const auto all = hashes[0] + hashes[1] + hashes[2] + hashes[3] + Hash(~std::uint64_t(mesh.materials[t]));
-    for (int opposite = 0; opposite < 4; ++opposite)
-    {
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        sums[corners[corner]] ^= corner == opposite ? 0 : Hash(all - hashes[opposite]);
-      }
-    }
-  }
-  std::vector<char> isThere(numberOfPoints);
-  std::transform(sums.begin(), sums.end(), isThere.begin(), [](std::uint64_t sum) { return char(sum != 0); });
-  return isThere;
-}
+public:
+  SampleCounter(const BlockComplex &     blocks,
+                const SampleLattice &    lattice,
+                const SampledMaterials & partition,
+                Material                 exterior,
+                CharacteristicSums &     sums)
+    : m_Blocks(blocks)
+    , m_Lattice(lattice)
+    , m_Partition(partition)
+    , m_Exterior(exterior)
+    , m_Sums(sums)
+  {}
 
-/** Keeps the blocks of tetrahedra that may have a face on an interface. */
-void
-KeepInterfaces(const std::vector<Vector> & points, const TetrahedralMesh & mesh, BlockComplex & blocks)
-{
-  const auto isOnInterface = FindInterfacePoints(points.size(), mesh);
-  for (const auto & corners : mesh.tetrahedra)
+  void
+  SubtractAt(std::size_t number)
   {
-    if (std::count_if(corners.begin(), corners.end(), [&](std::uint32_t c) { return isOnInterface[c] != 0; }) >= 3)
+    const Index cell = m_Blocks.Cells().IndexAt(number);
+    if (!m_Blocks.IsKept(cell))
     {
-      Vector lower = points[corners[0]];
-      Vector upper = lower;
-      for (const auto c : corners)
-      {
-        lower = lower.cwiseMin(points[c]);
-        upper = upper.cwiseMax(points[c]);
-      }
-      blocks.Keep(lower, upper);
+      return;
     }
+    const IndexBox box{ m_Blocks.FirstSample(cell), m_Blocks.LastSample(cell) };
+    m_Samples.clear();
+    box.Visit([&](const Index & sample) { m_Samples.push_back(m_Lattice.At(m_Partition, sample)); });
+    AddCharacteristicsOfSamples(box.Size(), m_Samples, [&](Material material, int count) {
+      if (material != m_Exterior)
+      {
+        m_Sums.Add(number, material, -count);
+      }
+    });
+  }
+
+private:
+  const BlockComplex &     m_Blocks;
+  const SampleLattice &    m_Lattice;
+  const SampledMaterials & m_Partition;
+  const Material           m_Exterior;
+  CharacteristicSums &     m_Sums;
+  std::vector<Material>    m_Samples;
+};
+
+/** Keeps the blocks that interfaces of the mesh come to. */
+void
+KeepInterfaces(const std::vector<Vector> & points, const InterfaceMesh & interfaces, BlockComplex & blocks)
+{
+  for (const auto & corners : interfaces.triangles)
+  {
+    Eigen::AlignedBox3d box;
+    for (const auto c : corners)
+    {
+      box.extend(points[c]);
+    }
+    IndexBox cells = blocks.CellsOf(box);
+    for (int a = 0; a < 3; ++a)
+    {
+      cells.lower[a] /= 2;
+      cells.upper[a] /= 2;
+    }
+    blocks.Keep(cells);
   }
 }
 
@@ -256,8 +267,7 @@ KeepDiffering(const std::vector<Vector> & points,
               BlockComplex &              blocks)
 {
   constexpr std::size_t Grain = 1024;
-  const Index           size{ { blocks.NumberOfBlocks(0), blocks.NumberOfBlocks(1), blocks.NumberOfBlocks(2) } };
-  std::vector<Material> materials(std::size_t(size[0]) * size[1] * size[2], exterior);
+  std::vector<Material> materials(blocks.Blocks().NumberOfNodes(), exterior);
   // a middle is inside of one tetrahedron at most: no two threads write to one place
   ParallelFor(mesh.tetrahedra.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
@@ -267,21 +277,20 @@ KeepDiffering(const std::vector<Vector> & points,
       {
         corners[c] = points[mesh.tetrahedra[t][c]] - Vector::Constant(0.5);
       }
-      VisitIndicesInside(size, corners, -1e-9, [&](const Index & at) {
-        materials[(std::size_t(at[2]) * size[1] + at[1]) * size[0] + at[0]] = mesh.materials[t];
+      VisitIndicesInside(blocks.Blocks().size, corners, -1e-9, [&](const Index & block) {
+        materials[blocks.Blocks().Offset(block)] = mesh.materials[t];
       });
     }
   });
-  auto material = materials.begin();
-  IndexBox{ { { 0, 0, 0 } }, { { size[0] - 1, size[1] - 1, size[2] - 1 } } }.Visit([&](const Index & at) {
-    const Index cell{ { 2 * at[0], 2 * at[1], 2 * at[2] } };
-    if (!blocks.IsKept(cell) && lattice.At(partition, blocks.FirstSample(cell)) != *material)
+  for (std::size_t n = 0; n < materials.size(); ++n)
+  {
+    const Index block = blocks.Blocks().IndexAt(n);
+    const Index cell{ { 2 * block[0], 2 * block[1], 2 * block[2] } };
+    if (!blocks.IsKept(cell) && lattice.At(partition, blocks.FirstSample(cell)) != materials[n])
     {
-      const Vector middle = Vector(at[0], at[1], at[2]) + Vector::Constant(0.5);
-      blocks.Keep(middle, middle);
+      blocks.Keep({ block, block });
     }
-    ++material;
-  });
+  }
 }
 } // namespace
 
@@ -303,9 +312,10 @@ CompareCharacteristics(BlockComplex &              blocks,
     {
       places.push_back(blocks.ToBlocks(x));
     }
-    KeepInterfaces(places, mesh, blocks);
-    KeepDiffering(places, mesh, exterior, lattice, partition, blocks);
     const Incidence stars = StarsOfPoints(mesh.tetrahedra, points.size());
+    const auto      neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra, points.size(), stars);
+    KeepInterfaces(places, ExtractInterfaces(mesh, neighbours, exterior), blocks);
+    KeepDiffering(places, mesh, exterior, lattice, partition, blocks);
     AddRanges(points.size(), PointsPerRange, lists, [&](std::size_t begin, std::size_t end, CharacteristicSums & sums) {
       SimplexCounter counter(blocks, places, mesh, exterior, stars, sums);
       for (std::size_t p = begin; p < end; ++p)
@@ -314,39 +324,13 @@ CompareCharacteristics(BlockComplex &              blocks,
       }
     });
   }
-  AddRanges(
-    blocks.NumberOfCells(), CellsPerRange, lists, [&](std::size_t begin, std::size_t end, CharacteristicSums & sums) {
-      std::vector<Material> samples;
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        const Index cell = blocks.CellAt(n);
-        if (!blocks.IsKept(cell))
-        {
-          continue;
-        }
-        const Index first = blocks.FirstSample(cell);
-        const Index last = blocks.LastSample(cell);
-        samples.clear();
-        for (int k = first[2]; k <= last[2]; ++k)
-        {
-          for (int j = first[1]; j <= last[1]; ++j)
-          {
-            for (int i = first[0]; i <= last[0]; ++i)
-            {
-              samples.push_back(lattice.At(partition, { { i, j, k } }));
-            }
-          }
-        }
-        AddCharacteristicsOfSamples({ { last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1 } },
-                                    samples,
-                                    [&](Material material, int count) {
-                                      if (material != exterior)
-                                      {
-                                        sums.Add(n, material, -count);
-                                      }
-                                    });
-      }
-    });
-  return AddUp(lists, blocks.NumberOfCells());
+  AddRanges(blocks.Cells().NumberOfNodes(), CellsPerRange, lists, [&](auto begin, auto end, CharacteristicSums & sums) {
+    SampleCounter counter(blocks, lattice, partition, exterior, sums);
+    for (std::size_t n = begin; n < end; ++n)
+    {
+      counter.SubtractAt(n);
+    }
+  });
+  return AddUp(lists, blocks.Cells().NumberOfNodes());
 }
 } // namespace mmm

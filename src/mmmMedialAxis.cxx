@@ -16,8 +16,8 @@
  *
  *=========================================================================*/
 #include "mmmMedialAxis.h"
-#include "mmmMakeUnique.h"
 
+#include "mmmMakeUnique.h"
 #include "mmmParallel.h"
 #include "mmmSourcePropagation.h"
 

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "mmmSampleCharacteristics.h"
 
+#include "mmmIndexBox.h"
+
 #include <algorithm>
 
 namespace mmm
@@ -53,29 +55,20 @@ AddCharacteristicsOfSamples(const Index &                              size,
     add(samples[0], 1);
     return;
   }
-  std::size_t at = 0;
-  for (int k = 0; k < size[2]; ++k)
-  {
-    for (int j = 0; j < size[1]; ++j)
+  const Grid grid{ size };
+  IndexBox::Of(size).Visit([&](const Index & at) {
+    const Material      own = samples[grid.Offset(at)];
+    std::array<bool, 8> same;
+    for (int n = 0; n < 8; ++n)
     {
-      for (int i = 0; i < size[0]; ++i, ++at)
-      {
-        std::array<bool, 8> same;
-        for (int n = 0; n < 8; ++n)
-        {
-          const int x = i + (n & 1);
-          const int y = j + (n >> 1 & 1);
-          const int z = k + (n >> 2);
-          same[n] = x < size[0] && y < size[1] && z < size[2] &&
-                    samples[(std::size_t(z) * size[1] + y) * size[0] + x] == samples[at];
-        }
-        const int count = CountSimplices(same);
-        if (count != 0)
-        {
-          add(samples[at], count);
-        }
-      }
+      const Index other{ { at[0] + (n & 1), at[1] + (n >> 1 & 1), at[2] + (n >> 2) } };
+      same[n] = grid.Contains(other) && samples[grid.Offset(other)] == own;
     }
-  }
+    const int count = CountSimplices(same);
+    if (count != 0)
+    {
+      add(own, count);
+    }
+  });
 }
 } // namespace mmm

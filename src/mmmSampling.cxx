@@ -16,8 +16,8 @@
  *
  *=========================================================================*/
 #include "mmmSampling.h"
-#include "mmmMakeUnique.h"
 
+#include "mmmMakeUnique.h"
 #include "mmmParallel.h"
 
 #include <algorithm>

@@ -20,6 +20,7 @@
 #include "mmmCellUpdate.h"
 #include "mmmEnclosure.h"
 #include "mmmFlatTetrahedra.h"
+#include "mmmIndexBox.h"
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmParticleMerging.h"
@@ -61,34 +62,24 @@ constexpr float CoarseSize = 1.75f;
 void
 RefineSizes(const Grid & grid, const std::vector<Vector> & places, double smallest, std::vector<float> & sizes)
 {
-  Index reach;
-  for (int a = 0; a < 3; ++a)
-  {
-    reach[a] = int(RecoveryReach / grid.spacing[a]);
-  }
   for (const Vector & place : places)
   {
-    Index centre;
+    IndexBox box;
     for (int a = 0; a < 3; ++a)
     {
-      centre[a] = int(std::floor(place[a] / grid.spacing[a] + 0.5));
+      const int centre = int(std::floor(place[a] / grid.spacing[a] + 0.5));
+      const int reach = int(RecoveryReach / grid.spacing[a]);
+      box.lower[a] = centre - reach;
+      box.upper[a] = centre + reach;
     }
-    for (int k = -reach[2]; k <= reach[2]; ++k)
-    {
-      for (int j = -reach[1]; j <= reach[1]; ++j)
+    box.Visit([&](const Index & at) {
+      if (grid.Contains(at))
       {
-        for (int i = -reach[0]; i <= reach[0]; ++i)
-        {
-          const Index at{ { centre[0] + i, centre[1] + j, centre[2] + k } };
-          if (grid.Contains(at))
-          {
-            const double distance = (grid.Position(at) - place).norm();
-            float &      size = sizes[grid.Offset(at)];
-            size = std::min(size, float(smallest + RecoveryGrowth * distance));
-          }
-        }
+        const double distance = (grid.Position(at) - place).norm();
+        float &      size = sizes[grid.Offset(at)];
+        size = std::min(size, float(smallest + RecoveryGrowth * distance));
       }
-    }
+    });
   }
 }
 

@@ -119,20 +119,15 @@ private:
     DisjointSets sets(cells.size());
     for (std::size_t n = 0; n < cells.size(); ++n)
     {
-      const Index here = m_Blocks.CellAt(cells[n]);
-      IndexBox{ { { here[0] - 1, here[1] - 1, here[2] - 1 } }, { { here[0] + 1, here[1] + 1, here[2] + 1 } } }.Visit(
-        [&](const Index & there) {
-          if (!m_Blocks.Contains(there) || !isJoined(here, there))
-          {
-            return;
-          }
-          const auto number = m_Blocks.NumberOf(there);
-          const auto found = std::lower_bound(cells.begin(), cells.begin() + n, number);
-          if (found != cells.begin() + n && *found == number)
-          {
-            sets.Unite(std::uint32_t(n), std::uint32_t(found - cells.begin()));
-          }
-        });
+      const Index here = m_Blocks.Cells().IndexAt(cells[n]);
+      this->Grown({ here, here }, 1).Visit([&](const Index & there) {
+        const auto number = m_Blocks.Cells().Offset(there);
+        const auto found = std::lower_bound(cells.begin(), cells.begin() + n, number);
+        if (found != cells.begin() + n && *found == number && isJoined(here, there))
+        {
+          sets.Unite(std::uint32_t(n), std::uint32_t(found - cells.begin()));
+        }
+      });
     }
     std::vector<Cells>       parts;
     std::vector<std::size_t> numbers(cells.size());
@@ -192,7 +187,7 @@ private:
     EulerChanges changes;
     for (const auto cell : part)
     {
-      const int sign = SignOf(m_Blocks.CellAt(cell));
+      const int sign = SignOf(m_Blocks.Cells().IndexAt(cell));
       this->VisitLeft(cell,
                       [&](Material material, std::ptrdiff_t value) { AddChange(changes, material, sign * value); });
     }
@@ -203,10 +198,10 @@ private:
   bool
   VanishesBetweenSamples(const Cells & part, std::size_t most) const
   {
-    IndexBox box{ m_Blocks.CellAt(part[0]), m_Blocks.CellAt(part[0]) };
+    IndexBox box{ m_Blocks.Cells().IndexAt(part[0]), m_Blocks.Cells().IndexAt(part[0]) };
     for (const auto cell : part)
     {
-      const Index at = m_Blocks.CellAt(cell);
+      const Index at = m_Blocks.Cells().IndexAt(cell);
       for (int a = 0; a < 3; ++a)
       {
         box.lower[a] = std::min(box.lower[a], at[a] / 2 * 2);
@@ -235,7 +230,7 @@ private:
     for (int a = 0; a < 3; ++a)
     {
       box.lower[a] = std::max(0, box.lower[a] - margin);
-      box.upper[a] = std::min(2 * (m_Blocks.NumberOfBlocks(a) - 1), box.upper[a] + margin);
+      box.upper[a] = std::min(m_Blocks.Cells().size[a] - 1, box.upper[a] + margin);
     }
     return box;
   }
@@ -273,7 +268,7 @@ private:
     difference.position = Vector::Zero();
     for (const auto number : part)
     {
-      const Index cell = m_Blocks.CellAt(number);
+      const Index cell = m_Blocks.Cells().IndexAt(number);
       difference.position +=
         0.5 * (m_Lattice.Position(m_Blocks.FirstSample(cell)) + m_Lattice.Position(m_Blocks.LastSample(cell)));
       this->AddMixedSamples(cell, difference.samples);

@@ -93,6 +93,18 @@ Sum(const std::vector<mmm::EulerChange> & changes)
   return sum;
 }
 
+/** Those of all places. */
+Changes
+Sum(const std::vector<mmm::TopologyDifference> & places)
+{
+  std::vector<mmm::EulerChange> changes;
+  for (const auto & place : places)
+  {
+    changes.insert(changes.end(), place.changes.begin(), place.changes.end());
+  }
+  return Sum(changes);
+}
+
 constexpr double Radius = 4.3;
 
 mmmtest::Scene
@@ -164,16 +176,11 @@ TEST(TopologyDifferences, TellOfASheetAcrossAPart)
   const auto scene = MakeBall();
   const auto differences = FindDifferences(
     *scene.indicators, [&](const Vector & x) { return x.norm() < Radius && std::abs(x[2] - 1.0) > 0.5; });
-  Changes sum;
   for (const auto & place : differences.places)
   {
     EXPECT_NEAR(place.position[2] - Centre()[2], 1.0, 0.8);
-    for (const auto & entry : Sum(place.changes))
-    {
-      sum[entry.first] += entry.second;
-    }
   }
-  EXPECT_EQ(sum, (Changes{ { 0, 1 }, { 1, 1 } })); // two parts, in two cavities
+  EXPECT_EQ(Sum(differences.places), (Changes{ { 0, 1 }, { 1, 1 } })); // two parts, in two cavities
 }
 
 TEST(TopologyDifferences, TellOfATunnelThatIsFilled)
@@ -213,15 +220,7 @@ TEST(TopologyDifferences, AddUpToThatOfTheCharacteristics)
       const bool isNear = std::abs(x.norm() - Radius) < 0.7;
       return (x.norm() < Radius) != (isNear && mmm::Hash(++n) % 5 == 0);
     });
-    Changes          sum;
-    for (const auto & place :
-         mmm::FindTopologyDifferences(lattice, partition, noise.points, noise.mesh, Exterior).places)
-    {
-      for (const auto & entry : Sum(place.changes))
-      {
-        sum[entry.first] += entry.second;
-      }
-    }
+    auto sum = Sum(mmm::FindTopologyDifferences(lattice, partition, noise.points, noise.mesh, Exterior).places);
     const std::vector<std::uint32_t> regions(noise.mesh.materials.begin(), noise.mesh.materials.end());
     const auto actual = mmm::ComputeMeshTopology(noise.points, noise.mesh.tetrahedra, regions, 2, true);
     for (mmm::Material m = 0; m < 2; ++m)
@@ -283,20 +282,15 @@ TEST(TopologyComparison, IsCompleteWhereTheMeshIsFarOff)
   mmmtest::Scene scene(mmmtest::MakeBallMaterials(Large, center, 7.0));
   const auto     norm = [&](const Vector & x) { return (x - shift).norm(); };
   const auto     compare = [&](mmm::Material exterior, const std::function<bool(const Vector &)> & isInside) {
-    Tetrahedra       all(scene.image.grid, isInside);
-    std::vector<int> kept;
+    Tetrahedra           all(scene.image.grid, isInside);
+    mmm::TetrahedralMesh mesh;
     for (std::size_t t = 0; t < all.mesh.tetrahedra.size(); ++t)
     {
       if (all.mesh.materials[t] != exterior)
       {
-        kept.push_back(int(t));
+        mesh.tetrahedra.push_back(all.mesh.tetrahedra[t]);
+        mesh.materials.push_back(all.mesh.materials[t]);
       }
-    }
-    mmm::TetrahedralMesh mesh;
-    for (const auto t : kept)
-    {
-      mesh.tetrahedra.push_back(all.mesh.tetrahedra[t]);
-      mesh.materials.push_back(all.mesh.materials[t]);
     }
     const auto report = mmm::CompareTopology(*scene.indicators, all.points, mesh, exterior, 4);
     for (const auto & label : report.labels)
