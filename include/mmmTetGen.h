@@ -21,6 +21,8 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mmmTetrahedralMesh.h"
 
+#include <string>
+
 namespace mmm
 {
 /** The Delaunay tetrahedralization of a set of points, positively oriented and sorted by smallest corners. Throws
@@ -35,6 +37,11 @@ MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
  * with TetGen's own words where it fails. */
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);
+
+/** The facets that cross others, by their numbers, in a sentence; empty if TetGen finds none. It takes longer than the
+ * tetrahedralization: ask once that has failed for good. */
+MultiMaterialMeshing_EXPORT std::string
+DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets);
 } // namespace mmm
 
 #endif

@@ -121,12 +121,12 @@ Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
   {
     result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
   }
-  catch (const itk::ExceptionObject &)
+  catch (const itk::ExceptionObject & error)
   {
     result.report.recoveryFailed = true;
     if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
     {
-      throw;
+      itkGenericExceptionMacro(<< error.GetDescription() << ' ' << DescribeIntersections(result.points, triangles));
     }
   }
 }

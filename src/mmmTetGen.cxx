@@ -205,30 +205,6 @@ private:
   std::vector<int>               m_Corners;
   std::vector<int>               m_Markers;
 };
-
-/** The facets that cross others, by their numbers; empty if TetGen finds none. */
-std::string
-DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets)
-{
-  constexpr int Listed = 10;
-  FacetInput    in(points, facets);
-  tetgenio      out;
-  if (!Run("zpdQ", in.io, out).empty() || out.numberoftrifaces == 0 || out.trifacemarkerlist == nullptr)
-  {
-    return "";
-  }
-  std::vector<int> numbers(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
-  MakeUnique(numbers);
-  std::ostringstream text;
-  text << " Facets that intersect others, by their number among the triangles of the surface: ";
-  for (std::size_t n = 0; n < numbers.size() && n < Listed; ++n)
-  {
-    text << (n > 0 ? ", " : "") << numbers[n];
-  }
-  text << (numbers.size() > Listed ? " and more, " : " (") << numbers.size() << " in all"
-       << (numbers.size() > Listed ? "." : ").");
-  return text.str();
-}
 } // namespace
 
 std::vector<Tetrahedron>
@@ -257,7 +233,7 @@ ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Tr
   const std::string failure = Run("zpcYMJQ", in.io, out);
   if (!failure.empty())
   {
-    itkGenericExceptionMacro(<< failure << DescribeIntersections(points, facets));
+    itkGenericExceptionMacro(<< failure);
   }
 
   // with -J TetGen keeps all input points in front, in their order
@@ -266,5 +242,28 @@ ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Tr
     points.emplace_back(out.pointlist[3 * p], out.pointlist[3 * p + 1], out.pointlist[3 * p + 2]);
   }
   return OrientedTetrahedra(out);
+}
+
+std::string
+DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets)
+{
+  constexpr int Listed = 10;
+  FacetInput    in(points, facets);
+  tetgenio      out;
+  if (!Run("zpdQ", in.io, out).empty() || out.numberoftrifaces == 0 || out.trifacemarkerlist == nullptr)
+  {
+    return "";
+  }
+  std::vector<int> numbers(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
+  MakeUnique(numbers);
+  std::ostringstream text;
+  text << "Facets that intersect others, by their number among the triangles of the surface: ";
+  for (std::size_t n = 0; n < numbers.size() && n < Listed; ++n)
+  {
+    text << (n > 0 ? ", " : "") << numbers[n];
+  }
+  text << (numbers.size() > Listed ? " and more, " : " (") << numbers.size() << " in all"
+       << (numbers.size() > Listed ? "." : ").");
+  return text.str();
 }
 } // namespace mmm

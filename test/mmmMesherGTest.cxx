@@ -304,23 +304,36 @@ TEST(Mesher, GivesTheSameMeshTwice)
   EXPECT_EQ(first.result.points, second.result.points);
 }
 
-TEST(TetGen, PassesOnItsWordsAboutIntersectingFacets)
+namespace
 {
-  // two tetrahedra that pierce each other
-  std::vector<Vector>              points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 },
-                                           { 1, 1, 1 }, { 5, 1, 1 }, { 1, 5, 1 }, { 1, 1, -3 } };
-  const std::vector<mmm::Triangle> facets{ { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 2, 3 } }, { { 1, 2, 3 } },
-                                           { { 4, 5, 6 } }, { { 4, 5, 7 } }, { { 4, 6, 7 } }, { { 5, 6, 7 } } };
+/** Two tetrahedra that pierce each other. */
+struct PiercingTetrahedra
+{
+  std::vector<Vector>        points{ { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 },
+                                     { 1, 1, 1 }, { 5, 1, 1 }, { 1, 5, 1 }, { 1, 1, -3 } };
+  std::vector<mmm::Triangle> facets{ { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 0, 2, 3 } }, { { 1, 2, 3 } },
+                                     { { 4, 5, 6 } }, { { 4, 5, 7 } }, { { 4, 6, 7 } }, { { 5, 6, 7 } } };
+};
+} // namespace
+
+TEST(TetGen, PassesOnItsWordsAboutFacetsThatItCannotKeep)
+{
+  PiercingTetrahedra input;
   try
   {
-    mmm::ConstrainedTetrahedralization(points, facets);
+    mmm::ConstrainedTetrahedralization(input.points, input.facets);
     FAIL() << "no exception";
   }
   catch (const itk::ExceptionObject & error)
   {
     EXPECT_NE(std::string(error.GetDescription()).find("TetGen"), std::string::npos);
     EXPECT_NE(std::string(error.GetDescription()).find("8 facets"), std::string::npos);
-    EXPECT_NE(std::string(error.GetDescription()).find("surface: 0, 3, 4, 5, 6 (5 in all)"), std::string::npos)
-      << error.GetDescription();
   }
+}
+
+TEST(TetGen, TellsWhichFacetsIntersectOthers)
+{
+  const PiercingTetrahedra input;
+  const auto               words = mmm::DescribeIntersections(input.points, input.facets);
+  EXPECT_NE(words.find("surface: 0, 3, 4, 5, 6 (5 in all)"), std::string::npos) << words;
 }
