@@ -80,6 +80,12 @@ public:
     return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
   }
 
+  int
+  GetSamplesPerVoxel() const
+  {
+    return m_SamplesPerVoxel;
+  }
+  /** Those of a voxel follow each other, from its first corner to its last one. */
   std::size_t
   NumberOfKept() const
   {

@@ -55,7 +55,7 @@ struct TopologyReport
 /** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
  *
  * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
- * where more samples show that the mesh is right, see FindTopologyDifferences(): if no place is left for a material,
+ * where more samples show that the mesh is right, see TopologyDifferenceFinder: if no place is left for a material,
  * its numbers are the mesh's, otherwise its tunnels change. The places are found there, too; their changes add up to
  * the difference of the Euler characteristics, or else what is left unexplained is told. `samplesPerVoxel` is along
  * each axis, 2 or 4. */

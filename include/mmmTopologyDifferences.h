@@ -21,6 +21,8 @@
 #include "mmmSampleLattice.h"
 #include "mmmTetrahedralMesh.h"
 
+#include <memory>
+
 namespace mmm
 {
 /** By how much the Euler characteristic of what is of a material differs. */
@@ -47,7 +49,9 @@ struct TopologyDifferences
   std::vector<EulerChange> betweenSamples;
 };
 
-/** \brief Where a mesh differs from a partition in topology.
+class CharacteristicsComparison;
+
+/** \brief Finds where meshes differ from a partition in topology.
  *
  * Space is cut into blocks of a few samples. The Euler characteristics of what a material has of the blocks and of
  * their common faces, edges and corners, with alternating signs, add up to that of the material. Nearly all of them
@@ -57,12 +61,23 @@ struct TopologyDifferences
  *
  * A sheet that is thinner than the distance of the samples has holes in the partition that the indicators do not have.
  * So these places are sampled more finely, and do not count where that makes the difference go away. */
-MultiMaterialMeshing_EXPORT TopologyDifferences
-FindTopologyDifferences(const SampleLattice &       lattice,
-                        const SampledMaterials &    partition,
-                        const std::vector<Vector> & points,
-                        const TetrahedralMesh &     mesh,
-                        Material                    exterior);
+class MultiMaterialMeshing_EXPORT TopologyDifferenceFinder
+{
+public:
+  /** Lattice and partition have to stay. */
+  TopologyDifferenceFinder(const SampleLattice & lattice, const SampledMaterials & partition, Material exterior);
+  ~TopologyDifferenceFinder();
+
+  /** If the points are those of the last call and some more behind them, it looks only at what has changed. */
+  TopologyDifferences
+  Find(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+
+private:
+  const SampleLattice &                      m_Lattice;
+  const SampledMaterials &                   m_Partition;
+  const Material                             m_Exterior;
+  std::unique_ptr<CharacteristicsComparison> m_Comparison;
+};
 } // namespace mmm
 
 #endif

@@ -21,7 +21,7 @@
 #include "mmmBlockComplex.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 #include <vector>
 
 namespace mmm
@@ -39,86 +39,105 @@ public:
   std::vector<Vector> &
   Corners()
   {
-    return m_Bodies[0];
+    return m_Corners;
   }
   /** Calls visit(cell) for the cells that the convex hull of the corners meets. */
   template <typename TVisitor>
   void
   Visit(const TVisitor & visit)
   {
-    Index cell;
-    this->VisitFrom(0, m_Bodies[0], cell, visit);
+    VisitSlabs(0, m_Corners, [&](int i, double begin, double end) {
+      m_Slab.clear();
+      VisitPart(m_Corners, 0, begin, end, [this](const Vector & x) { m_Slab.push_back(x); });
+      this->VisitSlabs(1, m_Slab, [&](int j, double beginOfRod, double endOfRod) {
+        Interval rod;
+        VisitPart(m_Slab, 1, beginOfRod, endOfRod, [&](const Vector & x) { rod.Add(x[2]); });
+        this->VisitCells(2, rod, [&](int k, double, double) { visit(Index{ { i, j, k } }); });
+      });
+    });
   }
 
 private:
+  struct Interval
+  {
+    double lower{ std::numeric_limits<double>::max() };
+    double upper{ std::numeric_limits<double>::lowest() };
+
+    void
+    Add(double x)
+    {
+      lower = std::min(lower, x);
+      upper = std::max(upper, x);
+    }
+  };
+
+  /** Calls visit(c, begin, end) for the cells along an axis that a body meets, and where they begin and end. */
   template <typename TVisitor>
   void
-  VisitFrom(int axis, const std::vector<Vector> & body, Index & cell, const TVisitor & visit)
+  VisitSlabs(int axis, const std::vector<Vector> & body, const TVisitor & visit) const
   {
-    double lower = body[0][axis];
-    double upper = lower;
+    Interval interval;
     for (const Vector & x : body)
     {
-      lower = std::min(lower, x[axis]);
-      upper = std::max(upper, x[axis]);
+      interval.Add(x[axis]);
     }
+    this->VisitCells(axis, interval, visit);
+  }
+
+  template <typename TVisitor>
+  void
+  VisitCells(int axis, const Interval & interval, const TVisitor & visit) const
+  {
     int first;
     int last;
-    m_Blocks.CellsOf(axis, lower, upper, first, last);
+    m_Blocks.CellsOf(axis, interval.lower, interval.upper, first, last);
     for (int c = first; c <= last; ++c)
     {
-      const double begin = c & 1 ? 0.5 * (c + 1) : c == 0 ? lower : 0.5 * c;
-      const double end = c & 1 ? begin : c / 2 + 1 == m_Blocks.Blocks().size[axis] ? upper : 0.5 * c + 1.0;
-      if (end < lower || begin > upper)
+      const double begin = c & 1 ? 0.5 * (c + 1) : c == 0 ? interval.lower : 0.5 * c;
+      const double end = c & 1 ? begin : c / 2 + 1 == m_Blocks.Blocks().size[axis] ? interval.upper : 0.5 * c + 1.0;
+      if (end >= interval.lower && begin <= interval.upper)
       {
-        continue;
-      }
-      cell[axis] = c;
-      if (axis == 2)
-      {
-        visit(cell);
-      }
-      else if (begin <= lower && end >= upper)
-      {
-        this->VisitFrom(axis + 1, body, cell, visit);
-      }
-      else
-      {
-        Clip(body, axis, begin, end, m_Bodies[axis + 1]);
-        this->VisitFrom(axis + 1, m_Bodies[axis + 1], cell, visit);
+        visit(c, begin, end);
       }
     }
   }
 
-  /** Points whose hull is the part of a hull between two planes. The same for a part of the points gives a part of
-   * these. */
+  /** Calls visit(x) for points whose hull is the part of a hull between two planes. The same for a part of the points
+   * gives a part of these. */
+  template <typename TVisitor>
   static void
-  Clip(const std::vector<Vector> & body, int axis, double begin, double end, std::vector<Vector> & part)
+  VisitPart(const std::vector<Vector> & body, int axis, double begin, double end, const TVisitor & visit)
   {
-    part.clear();
-    for (const Vector & x : body)
-    {
-      if (x[axis] >= begin && x[axis] <= end)
-      {
-        part.push_back(x);
-      }
-    }
     for (const Vector & a : body)
     {
-      for (const Vector & b : body)
+      if (a[axis] < begin)
       {
-        if (a[axis] < begin && b[axis] > begin)
+        for (const Vector & b : body)
         {
-          part.push_back(Cut(a, b, axis, begin));
+          if (b[axis] > begin)
+          {
+            visit(Cut(a, b, axis, begin));
+          }
         }
-        if (begin != end && a[axis] < end && b[axis] > end)
+      }
+      else if (a[axis] <= end)
+      {
+        visit(a);
+      }
+      else if (begin != end)
+      {
+        for (const Vector & b : body)
         {
-          part.push_back(Cut(a, b, axis, end));
+          if (b[axis] < end)
+          {
+            visit(Cut(b, a, axis, end));
+          }
         }
       }
     }
   }
 
+  /** Where an edge from below a plane to above it is on the plane. */
   static Vector
   Cut(const Vector & a, const Vector & b, int axis, double at)
   {
@@ -128,8 +147,9 @@ private:
   }
 
   const BlockComplex & m_Blocks;
-  /** What is left after each axis. */
-  std::array<std::vector<Vector>, 3> m_Bodies;
+  std::vector<Vector>  m_Corners;
+  /** What is of them between two planes. */
+  std::vector<Vector> m_Slab;
 };
 } // namespace mmm
 

@@ -34,16 +34,16 @@ BlockComplex::BlockComplex(const SampleLattice & lattice, int samplesPerBlock)
     m_Cells.size[a] = 2 * m_Blocks.size[a] - 1;
   }
   m_IsKept.assign(m_Blocks.NumberOfNodes(), 0);
-  for (std::size_t place = 0; place < lattice.NumberOfKept(); ++place)
+  const int perVoxel = lattice.GetSamplesPerVoxel();
+  for (std::size_t place = 0; place < lattice.NumberOfKept(); place += perVoxel)
   {
-    const Index sample = lattice.SampleAt(place);
-    IndexBox    blocks;
+    IndexBox box{ lattice.SampleAt(place), lattice.SampleAt(place + perVoxel - 1) };
     for (int a = 0; a < 3; ++a)
     {
-      blocks.upper[a] = sample[a] / samplesPerBlock;
-      blocks.lower[a] = std::max(0, sample[a] - 1) / samplesPerBlock; // a sample on a plane is of both blocks
+      box.lower[a] = std::max(0, box.lower[a] - 1) / samplesPerBlock; // a sample on a plane is of both blocks
+      box.upper[a] /= samplesPerBlock;
     }
-    this->Keep(blocks);
+    this->Keep(box);
   }
 }
 
@@ -51,6 +51,35 @@ void
 BlockComplex::Keep(const IndexBox & blocks)
 {
   blocks.Visit([this](const Index & block) { m_IsKept[m_Blocks.Offset(block)] = 1; });
+}
+
+void
+BlockComplex::KeepAround(const Eigen::AlignedBox3d & box)
+{
+  IndexBox cells = this->CellsOf(box);
+  for (int a = 0; a < 3; ++a)
+  {
+    cells.lower[a] /= 2;
+    cells.upper[a] /= 2;
+  }
+  this->Keep(cells);
+}
+
+BlockComplex
+BlockComplex::WithoutKept() const
+{
+  BlockComplex same = *this;
+  std::fill(same.m_IsKept.begin(), same.m_IsKept.end(), 0);
+  return same;
+}
+
+void
+BlockComplex::KeepOnlyOf(const BlockComplex & other)
+{
+  for (std::size_t n = 0; n < m_IsKept.size(); ++n)
+  {
+    m_IsKept[n] = m_IsKept[n] && other.m_IsKept[n];
+  }
 }
 
 bool

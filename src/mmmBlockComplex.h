@@ -56,6 +56,15 @@ public:
   /** Keeps blocks, too, which are given by their own indices. */
   void
   Keep(const IndexBox & blocks);
+  /** Keeps the blocks that a box, in units of blocks, meets. */
+  void
+  KeepAround(const Eigen::AlignedBox3d & box);
+  /** The same blocks, of which none is kept. */
+  BlockComplex
+  WithoutKept() const;
+  /** Keeps only what is kept in another one, too. */
+  void
+  KeepOnlyOf(const BlockComplex & other);
   /** Whether one of the blocks at some cells is kept. */
   bool
   HasKept(const IndexBox & cells) const;

@@ -31,6 +31,18 @@ namespace mmm
 {
 namespace
 {
+template <typename TCorners>
+Eigen::AlignedBox3d
+BoxOf(const TCorners & corners, const std::vector<Vector> & points)
+{
+  Eigen::AlignedBox3d box;
+  for (const auto c : corners)
+  {
+    box.extend(points[c]);
+  }
+  return box;
+}
+
 /** Adds up the simplices of a mesh, each at its smallest point. */
 class SimplexCounter
 {
@@ -109,13 +121,10 @@ private:
   bool
   IsNearKept(std::uint32_t p) const
   {
-    Eigen::AlignedBox3d box(m_Points[p]);
+    Eigen::AlignedBox3d box;
     for (auto t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
     {
-      for (const auto c : m_Mesh.tetrahedra[*t])
-      {
-        box.extend(m_Points[c]);
-      }
+      box.extend(BoxOf(m_Mesh.tetrahedra[*t], m_Points));
     }
     return m_Blocks.HasKept(m_Blocks.CellsOf(box));
   }
@@ -238,22 +247,16 @@ private:
 
 /** Keeps the blocks that interfaces of the mesh come to. */
 void
-KeepInterfaces(const std::vector<Vector> & points, const InterfaceMesh & interfaces, BlockComplex & blocks)
+KeepInterfaces(const std::vector<Vector> & points,
+               const TetrahedralMesh &     mesh,
+               Material                    exterior,
+               const Incidence &           stars,
+               BlockComplex &              blocks)
 {
-  for (const auto & corners : interfaces.triangles)
+  const auto neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra, points.size(), stars);
+  for (const auto & corners : ExtractInterfaces(mesh, neighbours, exterior).triangles)
   {
-    Eigen::AlignedBox3d box;
-    for (const auto c : corners)
-    {
-      box.extend(points[c]);
-    }
-    IndexBox cells = blocks.CellsOf(box);
-    for (int a = 0; a < 3; ++a)
-    {
-      cells.lower[a] /= 2;
-      cells.upper[a] /= 2;
-    }
-    blocks.Keep(cells);
+    blocks.KeepAround(BoxOf(corners, points));
   }
 }
 
@@ -294,38 +297,68 @@ KeepDiffering(const std::vector<Vector> & points,
 }
 } // namespace
 
-LocalCharacteristics
-CompareCharacteristics(BlockComplex &              blocks,
-                       const SampleLattice &       lattice,
-                       const SampledMaterials &    partition,
-                       const std::vector<Vector> & points,
-                       const TetrahedralMesh &     mesh,
-                       Material                    exterior)
+CharacteristicsComparison::CharacteristicsComparison(const SampleLattice &    lattice,
+                                                     const SampledMaterials & partition,
+                                                     Material                 exterior,
+                                                     int                      samplesPerBlock)
+  : m_Lattice(lattice)
+  , m_Partition(partition)
+  , m_Exterior(exterior)
+  , m_Blocks(lattice, samplesPerBlock)
+{}
+
+const LocalCharacteristics &
+CharacteristicsComparison::Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
 {
-  constexpr std::size_t             PointsPerRange = 8192;
+  std::vector<Vector> places;
+  places.reserve(points.size());
+  for (const Vector & x : points)
+  {
+    places.push_back(m_Blocks.ToBlocks(x));
+  }
+  const Incidence stars = StarsOfPoints(mesh.tetrahedra, points.size());
+  KeepInterfaces(places, mesh, m_Exterior, stars, m_Blocks);
+  KeepDiffering(places, mesh, m_Exterior, m_Lattice, m_Partition, m_Blocks);
+
+  const auto changes = m_Changes.Next(places, mesh);
+  if (!changes)
+  {
+    m_Differences = this->CompareWithin(m_Blocks, places, mesh, stars);
+    return m_Differences;
+  }
+  BlockComplex blocks = m_Blocks.WithoutKept();
+  for (const auto & corners : *changes)
+  {
+    blocks.KeepAround(BoxOf(corners, places));
+  }
+  blocks.KeepOnlyOf(m_Blocks);
+  const auto isReplaced = [&](const LocalCharacteristic & entry) {
+    return blocks.IsKept(blocks.Cells().IndexAt(entry.cell));
+  };
+  m_Differences.erase(std::remove_if(m_Differences.begin(), m_Differences.end(), isReplaced), m_Differences.end());
+  m_Differences =
+    AddUp({ m_Differences, this->CompareWithin(blocks, places, mesh, stars) }, blocks.Cells().NumberOfNodes());
+  return m_Differences;
+}
+
+LocalCharacteristics
+CharacteristicsComparison::CompareWithin(const BlockComplex &        blocks,
+                                         const std::vector<Vector> & places,
+                                         const TetrahedralMesh &     mesh,
+                                         const Incidence &           stars) const
+{
+  constexpr std::size_t             PointsPerRange = 1024;
   constexpr std::size_t             CellsPerRange = 65536;
   std::vector<LocalCharacteristics> lists;
-  {
-    std::vector<Vector> places;
-    places.reserve(points.size());
-    for (const Vector & x : points)
+  AddRanges(places.size(), PointsPerRange, lists, [&](std::size_t begin, std::size_t end, CharacteristicSums & sums) {
+    SimplexCounter counter(blocks, places, mesh, m_Exterior, stars, sums);
+    for (std::size_t p = begin; p < end; ++p)
     {
-      places.push_back(blocks.ToBlocks(x));
+      counter.CountAt(std::uint32_t(p));
     }
-    const Incidence stars = StarsOfPoints(mesh.tetrahedra, points.size());
-    const auto      neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra, points.size(), stars);
-    KeepInterfaces(places, ExtractInterfaces(mesh, neighbours, exterior), blocks);
-    KeepDiffering(places, mesh, exterior, lattice, partition, blocks);
-    AddRanges(points.size(), PointsPerRange, lists, [&](std::size_t begin, std::size_t end, CharacteristicSums & sums) {
-      SimplexCounter counter(blocks, places, mesh, exterior, stars, sums);
-      for (std::size_t p = begin; p < end; ++p)
-      {
-        counter.CountAt(std::uint32_t(p));
-      }
-    });
-  }
+  });
   AddRanges(blocks.Cells().NumberOfNodes(), CellsPerRange, lists, [&](auto begin, auto end, CharacteristicSums & sums) {
-    SampleCounter counter(blocks, lattice, partition, exterior, sums);
+    SampleCounter counter(blocks, m_Lattice, m_Partition, m_Exterior, sums);
     for (std::size_t n = begin; n < end; ++n)
     {
       counter.SubtractAt(n);

@@ -20,27 +20,55 @@
 
 #include "mmmBlockComplex.h"
 #include "mmmCharacteristicSums.h"
+#include "mmmIncidence.h"
 #include "mmmTetrahedralMesh.h"
+#include "mmmTetrahedronChanges.h"
 
 namespace mmm
 {
 /** \brief By how much the local characteristics of a mesh exceed those of a partition.
  *
- * Those of kept blocks, that is: besides those with samples that are kept, blocks will be with an interface of the
- * mesh, or of different materials in mesh and partition. In all others there is nothing to see.
+ * Those of kept blocks, that is: besides those with samples that are kept, blocks are with an interface of the mesh, or
+ * of different materials in mesh and partition. In all others there is nothing to see.
  *
  * What a material has of a cell in the mesh is a union of convex sets, the parts of its tetrahedra: only how these meet
  * counts. With each simplex of the material goes a weight, the alternating sum of the simplices of the material that it
  * is a part of; it counts for the cells that the simplex meets. Simplices where the boundary of a material is a
  * surface weigh nothing.
  * In the partition, a material is what its samples span, see ComputePartitionTopology(). */
-LocalCharacteristics
-CompareCharacteristics(BlockComplex &              blocks,
-                       const SampleLattice &       lattice,
-                       const SampledMaterials &    partition,
-                       const std::vector<Vector> & points,
-                       const TetrahedralMesh &     mesh,
-                       Material                    exterior);
+class CharacteristicsComparison
+{
+public:
+  /** Lattice and partition have to stay. */
+  CharacteristicsComparison(const SampleLattice &    lattice,
+                            const SampledMaterials & partition,
+                            Material                 exterior,
+                            int                      samplesPerBlock);
+
+  const BlockComplex &
+  Blocks() const
+  {
+    return m_Blocks;
+  }
+  /** Those of a mesh. If it is the last one with some points added at the end, only what has changed is looked at. */
+  const LocalCharacteristics &
+  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+
+private:
+  /** In the kept ones of some blocks. Positions are in units of blocks. */
+  LocalCharacteristics
+  CompareWithin(const BlockComplex &        blocks,
+                const std::vector<Vector> & places,
+                const TetrahedralMesh &     mesh,
+                const Incidence &           stars) const;
+
+  const SampleLattice &    m_Lattice;
+  const SampledMaterials & m_Partition;
+  const Material           m_Exterior;
+  BlockComplex             m_Blocks;
+  TetrahedronChanges       m_Changes;
+  LocalCharacteristics     m_Differences;
+};
 } // namespace mmm
 
 #endif

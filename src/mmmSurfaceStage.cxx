@@ -214,6 +214,7 @@ public:
     , m_MendingRounds(keepTopology ? MendingRounds : 0)
     , m_Lattice(indicators, SampleLattice::RefinementFor(keepTopology))
     , m_Partition(m_Lattice.SamplePartition(m_Exterior))
+    , m_Differences(m_Lattice, m_Partition, m_Exterior)
     , m_Sizes(sizes)
     , m_Particles(particles)
   {}
@@ -221,6 +222,7 @@ public:
   void
   Build(Monitor & monitor)
   {
+    SortInSpace(m_Particles);
     int        done = 0;
     const auto tell = [&]() { monitor.Report(double(++done) / (SurfaceRounds + m_MendingRounds + 1)); };
     for (int round = 0; round < SurfaceRounds; ++round)
@@ -262,7 +264,6 @@ private:
   void
   Triangulate()
   {
-    SortInSpace(m_Particles); // some have been added at the end
     m_Labelled.tetrahedra = TetrahedralizeWithin(m_Indicators.GetGrid(), m_Particles.positions);
     m_Labelled.materials = LabelTetrahedra(m_Indicators, m_Particles, m_Labelled.tetrahedra, m_Exterior);
     m_Adjacency.emplace(m_Labelled.tetrahedra, m_Particles.Size());
@@ -298,6 +299,7 @@ private:
     RefineSizes(m_Indicators.GetGrid(), lost, m_Sizes);
     SeedParticlesAround(m_Indicators, m_Sizing, m_ExteriorIndex, m_Seed, lost, m_Particles);
     this->SampleFinely(differing, RecoverySize);
+    SortInSpace(m_Particles); // some have been added at the end
   }
 
   /** Adds particles where the topology is not that of the partition, in later rounds more closely. Returns whether that
@@ -311,11 +313,10 @@ private:
 
   /** The samples where the topology of the tetrahedra is not that of the partition. */
   std::vector<Index>
-  FindDifferingSamples() const
+  FindDifferingSamples()
   {
     std::vector<Index> samples;
-    const auto         differences =
-      FindTopologyDifferences(m_Lattice, m_Partition, m_Particles.positions, m_Labelled, m_Exterior);
+    const auto         differences = m_Differences.Find(m_Particles.positions, m_Labelled);
     for (const auto & place : differences.places)
     {
       if (m_MendingRounds > 0 || place.samples.size() <= LargestPlace)
@@ -347,6 +348,7 @@ private:
   const int                           m_MendingRounds;
   const SampleLattice                 m_Lattice;
   const SampledMaterials              m_Partition;
+  TopologyDifferenceFinder            m_Differences;
   std::vector<float> &                m_Sizes;
   ParticleSet &                       m_Particles;
   TetrahedralMesh                     m_Labelled;

@@ -57,7 +57,7 @@ CompareTopology(const IndicatorSet &        indicators,
   TopologyReport              report;
   std::vector<std::ptrdiff_t> explained(partition.size(), 0);
   std::vector<char>           hasPlace(partition.size(), 0);
-  const auto                  differences = FindTopologyDifferences(lattice, wanted, points, mesh, exterior);
+  const auto                  differences = TopologyDifferenceFinder(lattice, wanted, exterior).Find(points, mesh);
   for (const auto & place : differences.places)
   {
     report.differences.push_back(Describe(place));

@@ -61,19 +61,20 @@ IsIncident(const Index & a, const Index & b)
   return isPart || hasPart;
 }
 
-class DifferenceFinder
+/** Sorts the differences of cells into places. */
+class PlaceFinder
 {
 public:
-  DifferenceFinder(const SampleLattice &       lattice,
-                   const SampledMaterials &    partition,
-                   const std::vector<Vector> & points,
-                   const TetrahedralMesh &     mesh,
-                   Material                    exterior)
+  PlaceFinder(const SampleLattice &        lattice,
+              const SampledMaterials &     partition,
+              Material                     exterior,
+              const BlockComplex &         blocks,
+              const LocalCharacteristics & left)
     : m_Lattice(lattice)
     , m_Partition(partition)
     , m_Exterior(exterior)
-    , m_Blocks(lattice, SamplesPerBlock)
-    , m_Left(CompareCharacteristics(m_Blocks, lattice, partition, points, mesh, exterior))
+    , m_Blocks(blocks)
+    , m_Left(left)
   {}
 
   TopologyDifferences
@@ -297,21 +298,29 @@ private:
     });
   }
 
-  const SampleLattice &      m_Lattice;
-  const SampledMaterials &   m_Partition;
-  const Material             m_Exterior;
-  BlockComplex               m_Blocks;
-  const LocalCharacteristics m_Left;
+  const SampleLattice &        m_Lattice;
+  const SampledMaterials &     m_Partition;
+  const Material               m_Exterior;
+  const BlockComplex &         m_Blocks;
+  const LocalCharacteristics & m_Left;
 };
 } // namespace
 
+TopologyDifferenceFinder::TopologyDifferenceFinder(const SampleLattice &    lattice,
+                                                   const SampledMaterials & partition,
+                                                   Material                 exterior)
+  : m_Lattice(lattice)
+  , m_Partition(partition)
+  , m_Exterior(exterior)
+  , m_Comparison(new CharacteristicsComparison(lattice, partition, exterior, SamplesPerBlock))
+{}
+
+TopologyDifferenceFinder::~TopologyDifferenceFinder() = default;
+
 TopologyDifferences
-FindTopologyDifferences(const SampleLattice &       lattice,
-                        const SampledMaterials &    partition,
-                        const std::vector<Vector> & points,
-                        const TetrahedralMesh &     mesh,
-                        Material                    exterior)
+TopologyDifferenceFinder::Find(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
 {
-  return DifferenceFinder(lattice, partition, points, mesh, exterior).Find();
+  const auto & left = m_Comparison->Compare(points, mesh);
+  return PlaceFinder(m_Lattice, m_Partition, m_Exterior, m_Comparison->Blocks(), left).Find();
 }
 } // namespace mmm
