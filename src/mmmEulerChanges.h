@@ -40,6 +40,16 @@ AddChange(EulerChanges & changes, Material material, std::ptrdiff_t change)
   at->change += change;
 }
 
+inline EulerChanges
+Difference(EulerChanges changes, const EulerChanges & others)
+{
+  for (const auto & other : others)
+  {
+    AddChange(changes, other.material, -other.change);
+  }
+  return changes;
+}
+
 inline bool
 IsZero(const EulerChanges & changes)
 {

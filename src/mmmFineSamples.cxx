@@ -23,6 +23,9 @@ namespace mmm
 {
 namespace
 {
+/** What is thinner than this part of the distance of two samples is not found between them. */
+constexpr int Bisections = 10;
+
 /** In steps of the subdivision. */
 Grid
 GridOf(const BlockComplex & complex, const IndexBox & blocks, int subdivision)
@@ -49,11 +52,59 @@ FineSamples::FineSamples(const SampleLattice & lattice,
   , m_First(complex.FirstSample(blocks.lower))
   , m_Grid(GridOf(complex, blocks, subdivision))
 {
-  const Vector first(m_First[0], m_First[1], m_First[2]);
-  m_Materials.reserve(m_Grid.NumberOfNodes());
+  m_Sampled.reserve(m_Grid.NumberOfNodes());
   IndexBox::Of(m_Grid.size).Visit([&](const Index & at) {
-    m_Materials.push_back(lattice.MaterialAt(first + Vector(at[0], at[1], at[2]) / double(subdivision), exterior));
+    m_Sampled.push_back(lattice.MaterialAt(this->SamplePosition(at), exterior));
   });
+  m_Separated = m_Sampled;
+  this->SeparateByThinSheets(lattice);
+}
+
+void
+FineSamples::SeparateByThinSheets(const SampleLattice & lattice)
+{
+  const auto & materials = m_Sampled;
+  IndexBox::Of(m_Grid.size).Visit([&](const Index & at) {
+    const std::size_t here = m_Grid.Offset(at);
+    for (int n = 1; n < 8; ++n)
+    {
+      const Index other{ { at[0] + (n & 1), at[1] + (n >> 1 & 1), at[2] + (n >> 2) } };
+      if (!m_Grid.Contains(other) || materials[m_Grid.Offset(other)] == materials[here])
+      {
+        continue;
+      }
+      const std::size_t there = m_Grid.Offset(other);
+      const Material    between = this->MaterialBetween(
+        lattice, this->SamplePosition(at), this->SamplePosition(other), materials[here], materials[there]);
+      if (between != materials[here] && between != materials[there])
+      {
+        m_Separated[materials[here] < materials[there] ? here : there] = between;
+      }
+    }
+  });
+}
+
+Material
+FineSamples::MaterialBetween(const SampleLattice & lattice, Vector begin, Vector end, Material first, Material last)
+  const
+{
+  for (int bisection = 0; bisection < Bisections; ++bisection)
+  {
+    const Vector   middle = 0.5 * (begin + end);
+    const Material material = lattice.MaterialAt(middle, m_Exterior);
+    if (material != first && material != last)
+    {
+      return material;
+    }
+    (material == first ? begin : end) = middle;
+  }
+  return first;
+}
+
+Vector
+FineSamples::SamplePosition(const Index & at) const
+{
+  return Vector(m_First[0], m_First[1], m_First[2]) + Vector(at[0], at[1], at[2]) / double(m_Subdivision);
 }
 
 std::size_t
@@ -66,13 +117,17 @@ EulerChanges
 FineSamples::ChangesAt(const Index & cell) const
 {
   EulerChanges changes;
-  this->AddAt(cell, 1, 1, changes);
-  this->AddAt(cell, m_Subdivision, -1, changes);
+  this->AddAt(cell, m_Separated, 1, 1, changes);
+  this->AddAt(cell, m_Sampled, m_Subdivision, -1, changes);
   return changes;
 }
 
 void
-FineSamples::AddAt(const Index & cell, int step, int sign, EulerChanges & changes) const
+FineSamples::AddAt(const Index &                 cell,
+                   const std::vector<Material> & samples,
+                   int                           step,
+                   int                           sign,
+                   EulerChanges &                changes) const
 {
   const Index first = m_Complex.FirstSample(cell);
   const Index last = m_Complex.LastSample(cell);
@@ -86,7 +141,7 @@ FineSamples::AddAt(const Index & cell, int step, int sign, EulerChanges & change
   std::vector<Material> materials;
   IndexBox::Of(size).Visit([&](const Index & at) {
     materials.push_back(
-      m_Materials[m_Grid.Offset(begin[0] + at[0] * step, begin[1] + at[1] * step, begin[2] + at[2] * step)]);
+      samples[m_Grid.Offset(begin[0] + at[0] * step, begin[1] + at[1] * step, begin[2] + at[2] * step)]);
   });
   AddCharacteristicsOfSamples(size, materials, [&](Material material, int count) {
     if (material != m_Exterior)

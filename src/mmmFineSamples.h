@@ -24,7 +24,10 @@
 
 namespace mmm
 {
-/** \brief The partition of the indicators in some blocks, at more samples than a lattice has. */
+/** \brief The partition of the indicators in some blocks, at more samples than a lattice has.
+ *
+ * Where two samples touch, but a third material is larger between them, there is a sheet that is thinner than the
+ * distance of the samples: one of them is given to that material, so that the sheet has no hole. */
 class FineSamples
 {
 public:
@@ -39,21 +42,32 @@ public:
   static std::size_t
   Count(const BlockComplex & complex, const IndexBox & blocks, int subdivision);
 
-  /** What the new samples add to the characteristics of what the materials have of a cell. */
+  /** What new samples and sheets add to the characteristics of what the materials have of a cell. */
   EulerChanges
   ChangesAt(const Index & cell) const;
 
 private:
-  /** Adds the characteristics of the samples of a cell that are some steps apart. */
+  /** In samples of the lattice. */
+  Vector
+  SamplePosition(const Index & at) const;
+  /** Gives samples that touch, but with another material in between, to that one. */
   void
-  AddAt(const Index & cell, int step, int sign, EulerChanges & changes) const;
+  SeparateByThinSheets(const SampleLattice & lattice);
+  /** A third material between two, or else one of them. */
+  Material
+  MaterialBetween(const SampleLattice & lattice, Vector begin, Vector end, Material first, Material last) const;
+  /** Adds the characteristics of those samples of a cell that are some steps apart. */
+  void
+  AddAt(const Index & cell, const std::vector<Material> & samples, int step, int sign, EulerChanges & changes) const;
 
   const BlockComplex &  m_Complex;
   const int             m_Subdivision;
   const Material        m_Exterior;
   const Index           m_First;
   const Grid            m_Grid;
-  std::vector<Material> m_Materials;
+  std::vector<Material> m_Sampled;
+  /** The same with thin sheets. */
+  std::vector<Material> m_Separated;
 };
 } // namespace mmm
 

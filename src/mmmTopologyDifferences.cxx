@@ -33,10 +33,11 @@ namespace
 {
 /** A voxel or two. */
 constexpr int SamplesPerBlock = 4;
-/** By how much more finely places are looked at, and at how many samples at most: of a place, and, if more, in all. */
-constexpr int         Subdivisions[] = { 2, 4, 8 };
+/** By how much more finely places are looked at, besides for thin sheets between samples, and at how many samples at
+ * most: of a place, and, if more, in all. */
+constexpr int         Subdivisions[] = { 1, 2, 4 };
 constexpr std::size_t MostSamplesOfPlace = 120000;
-constexpr std::size_t MostSamples = 1000000;
+constexpr std::size_t MostSamples = 4000000;
 
 using Cells = std::vector<std::size_t>;
 
@@ -212,16 +213,50 @@ private:
     const auto changes = this->ChangesOf(part);
     for (const int margin : { 0, 2 })
     {
-      const IndexBox wide = this->Grown(box, margin);
-      for (const int subdivision : Subdivisions)
+      const auto seen = this->LookCloser(this->Grown(box, margin), changes, most);
+      if (seen != CloserLook::IsCut)
       {
-        if (FineSamples::Count(m_Blocks, wide, subdivision) <= most && this->VanishesAt(wide, subdivision, changes))
-        {
-          return true;
-        }
+        return seen == CloserLook::Vanishes;
       }
     }
     return false;
+  }
+
+  /** What becomes of a difference with more samples: it may be cut by the border of what is looked at. */
+  enum class CloserLook
+  {
+    Vanishes,
+    Stays,
+    IsCut
+  };
+
+  CloserLook
+  LookCloser(const IndexBox & blocks, const EulerChanges & changes, std::size_t most) const
+  {
+    bool isCut = false;
+    for (const int subdivision : Subdivisions)
+    {
+      if (FineSamples::Count(m_Blocks, blocks, subdivision) > most)
+      {
+        break;
+      }
+      const FineSamples samples(m_Lattice, m_Blocks, blocks, subdivision, m_Exterior);
+      if (!this->IsSameAround(blocks, samples))
+      {
+        isCut = true;
+        continue;
+      }
+      const auto found = ChangesWithin(blocks, samples);
+      if (IsZero(Difference(found, changes)))
+      {
+        return CloserLook::Vanishes;
+      }
+      if (subdivision > 1 && IsZero(found))
+      {
+        break; // more samples would not see more
+      }
+    }
+    return isCut ? CloserLook::IsCut : CloserLook::Stays;
   }
 
   /** As far as there are cells. */
@@ -236,26 +271,28 @@ private:
     return box;
   }
 
-  /** Whether a subdivision of blocks makes given changes go away, and leaves the outside of the blocks as it is. */
+  /** Whether more samples within blocks leave what is around the blocks as it is. */
   bool
-  VanishesAt(const IndexBox & blocks, int subdivision, EulerChanges changes) const
+  IsSameAround(const IndexBox & blocks, const FineSamples & samples) const
   {
-    const FineSamples samples(m_Lattice, m_Blocks, blocks, subdivision, m_Exterior);
-    bool              isSameOutside = true;
-    this->Grown(blocks, 1).Visit([&](const Index & cell) {
-      isSameOutside = isSameOutside && (blocks.Contains(cell) || IsZero(samples.ChangesAt(cell)));
-    });
-    if (!isSameOutside)
-    {
-      return false;
-    }
+    bool isSame = true;
+    this->Grown(blocks, 1).Visit(
+      [&](const Index & cell) { isSame = isSame && (blocks.Contains(cell) || IsZero(samples.ChangesAt(cell))); });
+    return isSame;
+  }
+
+  /** By how much more samples change what is within blocks. */
+  static EulerChanges
+  ChangesWithin(const IndexBox & blocks, const FineSamples & samples)
+  {
+    EulerChanges changes;
     blocks.Visit([&](const Index & cell) {
       for (const auto & entry : samples.ChangesAt(cell))
       {
-        AddChange(changes, entry.material, -SignOf(cell) * entry.change);
+        AddChange(changes, entry.material, SignOf(cell) * entry.change);
       }
     });
-    return IsZero(changes);
+    return changes;
   }
 
   TopologyDifference

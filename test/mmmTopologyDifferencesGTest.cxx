@@ -335,7 +335,7 @@ TEST_P(ThinSheet, IsNoDifference)
   EXPECT_EQ(report.labels[2].unexplained, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(TopologyDifferences, ThinSheet, testing::Values(0.06));
+INSTANTIATE_TEST_SUITE_P(TopologyDifferences, ThinSheet, testing::Values(0.06, 0.002));
 
 TEST(TopologyComparison, IsCompleteWhereTheMeshIsFarOff)
 {
