@@ -46,6 +46,8 @@ constexpr int SurfaceSweeps = 2;
 constexpr std::size_t LargestPlace = 80;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
+/** There are no more of them where this share of the samples differ: that is noise, which particles do not follow. */
+constexpr double ShareOfNoise = 0.1;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
@@ -307,8 +309,13 @@ private:
   bool
   Mend(int round)
   {
+    const auto differing = this->FindDifferingSamples();
+    if (differing.empty() || double(differing.size()) > ShareOfNoise * double(m_Lattice.NumberOfKept()))
+    {
+      return false;
+    }
     const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
-    return this->SampleFinely(this->FindDifferingSamples(), distance) > 0 || round == 0;
+    return this->SampleFinely(differing, distance) > 0 || distance > SmallestMendingSize;
   }
 
   /** The samples where the topology of the tetrahedra is not that of the partition. */
