@@ -23,6 +23,7 @@
 #include "mmmIndexBox.h"
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
+#include "mmmMakeUnique.h"
 #include "mmmParticleMerging.h"
 #include "mmmSpatialOrder.h"
 #include "mmmSurfaceLabelling.h"
@@ -46,6 +47,8 @@ constexpr int SurfaceSweeps = 2;
 constexpr std::size_t LargestPlace = 80;
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
+/** After this number of them, particles are also added further around, by one sample more each time. */
+constexpr int MendingRoundsInPlace = 2;
 /** There are no more of them where this share of the samples differ: that is noise, which particles do not follow. */
 constexpr double ShareOfNoise = 0.1;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
@@ -315,7 +318,27 @@ private:
       return false;
     }
     const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
-    return this->SampleFinely(differing, distance) > 0 || distance > SmallestMendingSize;
+    const int    reach = std::max(0, round + 1 - MendingRoundsInPlace);
+    return this->SampleFinely(this->Around(differing, reach), distance) > 0 || distance > SmallestMendingSize;
+  }
+
+  /** Samples, and those around them. */
+  std::vector<Index>
+  Around(const std::vector<Index> & samples, int reach) const
+  {
+    std::vector<Index> around;
+    for (const Index & sample : samples)
+    {
+      IndexBox box{ sample, sample };
+      for (int a = 0; a < 3; ++a)
+      {
+        box.lower[a] = std::max(0, sample[a] - reach);
+        box.upper[a] = std::min(m_Lattice.GetSize()[a] - 1, sample[a] + reach);
+      }
+      box.Visit([&](const Index & at) { around.push_back(at); });
+    }
+    MakeUnique(around);
+    return around;
   }
 
   /** The samples where the topology of the tetrahedra is not that of the partition. */
