@@ -55,6 +55,12 @@ public:
   {
     return m_Indicators;
   }
+  /** Samples per voxel and axis. */
+  int
+  GetRefinement() const
+  {
+    return m_Refinement;
+  }
   /** In samples. */
   const Index &
   GetSize() const

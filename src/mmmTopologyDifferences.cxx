@@ -31,8 +31,6 @@ namespace mmm
 {
 namespace
 {
-/** A voxel or two. */
-constexpr int SamplesPerBlock = 4;
 /** By how much more finely places are looked at, besides for thin sheets between samples, and at how many samples at
  * most: of a place, and, if more, in all. */
 constexpr int         Subdivisions[] = { 1, 2, 4 };
@@ -349,7 +347,7 @@ TopologyDifferenceFinder::TopologyDifferenceFinder(const SampleLattice &    latt
   : m_Lattice(lattice)
   , m_Partition(partition)
   , m_Exterior(exterior)
-  , m_Comparison(new CharacteristicsComparison(lattice, partition, exterior, SamplesPerBlock))
+  , m_Comparison(new CharacteristicsComparison(lattice, partition, exterior, lattice.GetRefinement()))
 {}
 
 TopologyDifferenceFinder::~TopologyDifferenceFinder() = default;
