@@ -147,6 +147,20 @@ ForSurface(OptimizationParameters parameters)
   return parameters;
 }
 
+/** Whether a mesh has the Betti numbers that it had when it was compared. */
+bool
+HasTopologyOf(const TopologyReport &      report,
+              std::size_t                 numberOfMaterials,
+              const std::vector<Vector> & points,
+              const TetrahedralMesh &     mesh)
+{
+  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
+  const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, numberOfMaterials, true);
+  return std::all_of(report.labels.begin(), report.labels.end(), [&](const LabelTopology & entry) {
+    return topology.regions[entry.label].betti == entry.mesh;
+  });
+}
+
 /** What else there is to say of the surface once it is final. */
 void
 DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Material exterior, MeshingResult & result)
@@ -245,6 +259,20 @@ BuildMesh(const IndicatorSet &      indicators,
   report.steinerPoints = result.points.size() - numberOfPoints;
   monitor.Report(1.0);
 
+  const auto compareTopology = [&](const TetrahedralMesh & mesh) {
+    monitor.BeginStage("topology");
+    report.topology =
+      CompareTopology(indicators, result.points, mesh, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
+    monitor.Report(1.0);
+  };
+  if (parameters.compareTopology)
+  {
+    // optimization and fit do not change it, but leave the indicators
+    TetrahedralMesh mesh = result.tetrahedra;
+    DropMaterial(exterior, mesh);
+    compareTopology(mesh);
+  }
+
   monitor.BeginStage("optimization");
   const IndicatorConstraint    constraint(indicators, exterior, particles);
   TetrahedralComplex           complex(result.tetrahedra, result.points.size());
@@ -254,13 +282,10 @@ BuildMesh(const IndicatorSet &      indicators,
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
   result.tetrahedra = complex.GetMesh();
   DropMaterial(exterior, result.tetrahedra);
-  if (parameters.compareTopology)
+  if (parameters.compareTopology &&
+      !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
   {
-    // the fit does not change it, but leaves the indicators
-    monitor.BeginStage("topology");
-    report.topology = CompareTopology(
-      indicators, result.points, result.tetrahedra, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
-    monitor.Report(1.0);
+    compareTopology(result.tetrahedra);
   }
   monitor.BeginStage("fit of the interfaces");
   FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);

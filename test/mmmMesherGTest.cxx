@@ -173,15 +173,32 @@ TEST(Mesher, OptimizationKeepsTheTopology)
   const Scene            scene = MakeNoise();
   mmm::MeshingParameters parameters;
   parameters.compareTopology = true;
-  const auto optimized = Build(scene, 0, parameters).result.report;
+  const auto optimized = Build(scene, 0, parameters).result;
   parameters.optimization.rounds = 0;
-  const auto before = Build(scene, 0, parameters).result.report;
-  ASSERT_GT(optimized.optimization.collapses, 50u);
-  ASSERT_EQ(optimized.topology.labels.size(), before.topology.labels.size());
-  for (std::size_t m = 0; m < before.topology.labels.size(); ++m)
+  const auto before = Build(scene, 0, parameters).result;
+  ASSERT_GT(optimized.report.optimization.collapses, 50u);
+  const auto labels = Quality(optimized).labels;
+  const auto labelsBefore = Quality(before).labels;
+  ASSERT_EQ(labels.size(), labelsBefore.size());
+  for (std::size_t m = 0; m < labels.size(); ++m)
   {
-    EXPECT_EQ(optimized.topology.labels[m].mesh, before.topology.labels[m].mesh)
-      << "material " << before.topology.labels[m].label;
+    EXPECT_EQ(labels[m].betti, labelsBefore[m].betti) << "material " << m;
+  }
+}
+
+TEST(Mesher, ReportsTheBettiNumbersOfTheFinalMesh)
+{
+  mmm::MeshingParameters parameters;
+  parameters.compareTopology = true;
+  const auto result = Build(MakeNoise(), 0, parameters).result;
+  const auto labels = Quality(result).labels;
+  ASSERT_FALSE(result.report.topology.labels.empty());
+  for (const auto & entry : result.report.topology.labels)
+  {
+    const auto label =
+      std::find_if(labels.begin(), labels.end(), [&](const auto & l) { return l.label == entry.label; });
+    ASSERT_NE(label, labels.end());
+    EXPECT_EQ(entry.mesh, label->betti);
   }
 }
 
