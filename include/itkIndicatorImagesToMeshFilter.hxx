@@ -239,8 +239,8 @@ try
                                { "seeding of the interior", 0.02 },
                                { "relaxation of the interior", 0.09 },
                                { "constrained tetrahedralization", 0.08 },
-                               { "optimization", 0.33 },
                                { "topology", 0.02 },
+                               { "optimization", 0.33 },
                                { "fit of the interfaces", 0.06 },
                                { "output", 0.01 } });
   m_Report = mmm::MeshingReport();

@@ -38,8 +38,8 @@ MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);
 
-/** The facets that cross others, by their numbers, in a sentence; empty if TetGen finds none. It takes longer than the
- * tetrahedralization: ask once that has failed for good. */
+/** The facets that cross others, by their numbers, in a sentence to follow another one; empty if TetGen finds none. It
+ * takes longer than the tetrahedralization: call it only after that has failed. */
 MultiMaterialMeshing_EXPORT std::string
 DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets);
 } // namespace mmm

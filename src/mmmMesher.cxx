@@ -121,12 +121,12 @@ Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
   {
     result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
   }
-  catch (const itk::ExceptionObject & error)
+  catch (const itk::ExceptionObject &)
   {
     result.report.recoveryFailed = true;
     if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
     {
-      itkGenericExceptionMacro(<< error.GetDescription() << ' ' << DescribeIntersections(result.points, triangles));
+      throw;
     }
   }
 }
@@ -244,10 +244,11 @@ BuildMesh(const IndicatorSet &      indicators,
   {
     Tetrahedralize(numberOfFixedPoints, result);
   }
-  catch (const itk::ExceptionObject &)
+  catch (itk::ExceptionObject & error)
   {
     if (!parameters.surfaceOnly)
     {
+      error.SetDescription(error.GetDescription() + DescribeIntersections(result.points, result.interfaces.triangles));
       throw;
     }
     // the surface stands without being improved
@@ -260,17 +261,17 @@ BuildMesh(const IndicatorSet &      indicators,
   monitor.Report(1.0);
 
   const auto compareTopology = [&](const TetrahedralMesh & mesh) {
-    monitor.BeginStage("topology");
     report.topology =
       CompareTopology(indicators, result.points, mesh, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
-    monitor.Report(1.0);
   };
   if (parameters.compareTopology)
   {
-    // optimization and fit do not change it, but leave the indicators
+    // optimization and fit keep it, but leave the indicators
+    monitor.BeginStage("topology");
     TetrahedralMesh mesh = result.tetrahedra;
     DropMaterial(exterior, mesh);
     compareTopology(mesh);
+    monitor.Report(1.0);
   }
 
   monitor.BeginStage("optimization");

@@ -257,7 +257,7 @@ DescribeIntersections(const std::vector<Vector> & points, const std::vector<Tria
   std::vector<int> numbers(out.trifacemarkerlist, out.trifacemarkerlist + out.numberoftrifaces);
   MakeUnique(numbers);
   std::ostringstream text;
-  text << "Facets that intersect others, by their number among the triangles of the surface: ";
+  text << " Facets that intersect others, by their number among the triangles of the surface: ";
   for (std::size_t n = 0; n < numbers.size() && n < Listed; ++n)
   {
     text << (n > 0 ? ", " : "") << numbers[n];
