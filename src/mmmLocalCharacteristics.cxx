@@ -20,6 +20,7 @@
 #include "mmmBlockCellFinder.h"
 #include "mmmIndexBox.h"
 #include "mmmInterfaceMesh.h"
+#include "mmmParallel.h"
 #include "mmmSampleCharacteristics.h"
 #include "mmmTetrahedronNeighbours.h"
 #include "mmmTetrahedronRaster.h"
@@ -121,7 +122,7 @@ private:
   bool
   IsNearKept(std::uint32_t p) const
   {
-    Eigen::AlignedBox3d box;
+    Eigen::AlignedBox3d box(m_Points[p]);
     for (auto t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
     {
       box.extend(BoxOf(m_Mesh.tetrahedra[*t], m_Points));

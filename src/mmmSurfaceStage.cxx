@@ -49,8 +49,11 @@ constexpr std::size_t LargestPlace = 80;
 constexpr int MendingRounds = 6;
 /** After this number of them, particles are also added further around, by one sample more each time. */
 constexpr int MendingRoundsInPlace = 2;
-/** There are no more of them where this share of the samples differ: that is noise, which particles do not follow. */
-constexpr double ShareOfNoise = 0.1;
+/** Not around more samples than this. */
+constexpr std::size_t MostSamplesToGrow = 2000;
+/** There are no more of these rounds where the places that differ have more than this share of the samples that are
+ * kept: that is noise, which particles do not follow. */
+constexpr double ShareOfNoise = 0.05;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
@@ -236,12 +239,12 @@ public:
       tell();
       this->Relax(round + 1 == SurfaceRounds);
     }
-    for (int round = 0;; ++round)
+    for (int round = 0;;)
     {
       this->Triangulate();
       tell();
       this->MendLinks();
-      if (round == m_MendingRounds || !this->Mend(round))
+      if (!this->Mend(round))
       {
         break;
       }
@@ -307,19 +310,28 @@ private:
     SortInSpace(m_Particles); // some have been added at the end
   }
 
-  /** Adds particles where the topology is not that of the partition, in later rounds more closely. Returns whether that
-   * can have changed something, or may in the next round. */
+  /** Adds particles where the topology is not that of the partition, in later rounds more closely and further around.
+   * Rounds in which there is no room for one are left out. Returns whether there is another triangulation to make. */
   bool
-  Mend(int round)
+  Mend(int & round)
   {
-    const auto differing = this->FindDifferingSamples();
-    if (differing.empty() || double(differing.size()) > ShareOfNoise * double(m_Lattice.NumberOfKept()))
+    if (round >= m_MendingRounds)
     {
       return false;
     }
-    const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
-    const int    reach = std::max(0, round + 1 - MendingRoundsInPlace);
-    return this->SampleFinely(this->Around(differing, reach), distance) > 0 || distance > SmallestMendingSize;
+    const auto differing = this->FindDifferingSamples();
+    if (double(differing.size()) > ShareOfNoise * double(m_Lattice.NumberOfKept()))
+    {
+      return false;
+    }
+    std::size_t added = 0;
+    for (; round < m_MendingRounds && added == 0 && !differing.empty(); ++round)
+    {
+      const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
+      const int    reach = differing.size() > MostSamplesToGrow ? 0 : std::max(0, round + 1 - MendingRoundsInPlace);
+      added = this->SampleFinely(this->Around(differing, reach), distance);
+    }
+    return added > 0;
   }
 
   /** Samples, and those around them. */
@@ -354,6 +366,7 @@ private:
         samples.insert(samples.end(), place.samples.begin(), place.samples.end());
       }
     }
+    MakeUnique(samples);
     return samples;
   }
 
