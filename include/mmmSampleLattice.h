@@ -86,6 +86,7 @@ public:
     return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
   }
 
+  /** Of all axes together. */
   int
   GetSamplesPerVoxel() const
   {

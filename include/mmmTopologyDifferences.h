@@ -53,20 +53,25 @@ class CharacteristicsComparison;
 
 /** \brief Finds where meshes differ from a partition in topology.
  *
- * Space is cut into blocks of a few samples. The Euler characteristics of what a material has of the blocks and of
- * their common faces, edges and corners, with alternating signs, add up to that of the material. Nearly all of them
+ * Space is cut into blocks of samples, a voxel each. The Euler characteristics of what a material has of the blocks and
+ * of their common faces, edges and corners, with alternating signs, add up to that of the material. Nearly all of them
  * are the same in the mesh and in the partition. Those that are not are sorted into parts that touch: where only the
  * interface is a little off, the differences of a part add up to nothing. The others are the places where the topology
  * is another one, and they add up to the whole difference of the characteristics.
  *
  * A sheet that is thinner than the distance of the samples has holes in the partition that the indicators do not have.
- * So these places are sampled more finely, and do not count where that makes the difference go away. */
+ * So these places are looked at more closely, see FineSamples, and do not count where that makes the difference go
+ * away. */
 class MultiMaterialMeshing_EXPORT TopologyDifferenceFinder
 {
 public:
   /** Lattice and partition have to stay. */
   TopologyDifferenceFinder(const SampleLattice & lattice, const SampledMaterials & partition, Material exterior);
   ~TopologyDifferenceFinder();
+
+  TopologyDifferenceFinder(const TopologyDifferenceFinder &) = delete;
+  TopologyDifferenceFinder &
+  operator=(const TopologyDifferenceFinder &) = delete;
 
   /** If the points are those of the last call and some more behind them, it looks only at what has changed. */
   TopologyDifferences

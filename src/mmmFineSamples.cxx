@@ -18,13 +18,17 @@
 #include "mmmFineSamples.h"
 
 #include "mmmSampleCharacteristics.h"
+#include "mmmSampleNeighbours.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace mmm
 {
 namespace
 {
-/** What is thinner than this part of the distance of two samples is not found between them. */
-constexpr int Bisections = 10;
+/** Sheets down to this power of a half of the distance of two samples are found between them. */
+constexpr int Bisections = 16;
 
 /** In steps of the subdivision. */
 Grid
@@ -63,23 +67,32 @@ FineSamples::FineSamples(const SampleLattice & lattice,
 void
 FineSamples::SeparateByThinSheets(const SampleLattice & lattice)
 {
-  const auto & materials = m_Sampled;
   IndexBox::Of(m_Grid.size).Visit([&](const Index & at) {
-    const std::size_t here = m_Grid.Offset(at);
-    for (int n = 1; n < 8; ++n)
+    const Material own = m_Sampled[m_Grid.Offset(at)];
+    // in the order in which they are found
+    std::vector<Material> separated;
+    std::vector<Material> touching;
+    Material              between = own;
+    for (int n = 0; n < SampleNeighbours::Count; ++n)
     {
-      const Index other{ { at[0] + (n & 1), at[1] + (n >> 1 & 1), at[2] + (n >> 2) } };
-      if (!m_Grid.Contains(other) || materials[m_Grid.Offset(other)] == materials[here])
+      const Index    neighbour = SampleNeighbours::Of(at, n);
+      const Material other = m_Grid.Contains(neighbour) ? m_Sampled[m_Grid.Offset(neighbour)] : own;
+      if (other > own)
       {
-        continue;
+        const Material found =
+          this->MaterialBetween(lattice, this->SamplePosition(at), this->SamplePosition(neighbour), own, other);
+        const bool isSeparated = found != own && found != other;
+        (isSeparated ? separated : touching).push_back(other);
+        between = isSeparated && between == own ? found : between;
       }
-      const std::size_t there = m_Grid.Offset(other);
-      const Material    between = this->MaterialBetween(
-        lattice, this->SamplePosition(at), this->SamplePosition(other), materials[here], materials[there]);
-      if (between != materials[here] && between != materials[there])
-      {
-        m_Separated[materials[here] < materials[there] ? here : there] = between;
-      }
+    }
+    // where it also touches what is behind the sheet, that has a hole
+    const bool hasHole = std::any_of(separated.begin(), separated.end(), [&](Material other) {
+      return std::find(touching.begin(), touching.end(), other) != touching.end();
+    });
+    if (!hasHole)
+    {
+      m_Separated[m_Grid.Offset(at)] = between;
     }
   });
 }

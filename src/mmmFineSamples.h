@@ -26,8 +26,9 @@ namespace mmm
 {
 /** \brief The partition of the indicators in some blocks, at more samples than a lattice has.
  *
- * Where two samples touch, but a third material is larger between them, there is a sheet that is thinner than the
- * distance of the samples: one of them is given to that material, so that the sheet has no hole. */
+ * Where two samples of different materials touch, but a third one is larger between them, there is a sheet that is
+ * thinner than the distance of the samples: the sample of the lower material is given to it, so that the sheet has no
+ * hole. If that sample also touches the other material without a third one in between, the hole is there, and stays. */
 class FineSamples
 {
 public:
@@ -50,7 +51,7 @@ private:
   /** In samples of the lattice. */
   Vector
   SamplePosition(const Index & at) const;
-  /** Gives samples that touch, but with another material in between, to that one. */
+  /** Gives samples in front of thin sheets to the sheets. */
   void
   SeparateByThinSheets(const SampleLattice & lattice);
   /** A third material between two, or else one of them. */

@@ -35,7 +35,7 @@ namespace
  * most: of a place, and, if more, in all. */
 constexpr int         Subdivisions[] = { 1, 2, 4 };
 constexpr std::size_t MostSamplesOfPlace = 120000;
-constexpr std::size_t MostSamples = 4000000;
+constexpr std::size_t MostSamples = 1000000;
 
 using Cells = std::vector<std::size_t>;
 
@@ -85,12 +85,12 @@ public:
       cells.push_back(entry.cell);
     }
     MakeUnique(cells);
-    const auto        parts = this->DifferingPartsOf(Joined(this->DifferingPartsOf(cells, IsIncident)),
-                                              [](const Index &, const Index &) { return true; });
+    const Cells       differing = Joined(this->DifferingPartsOf(cells, IsIncident));
+    const auto        parts = this->DifferingPartsOf(differing, [](const Index &, const Index &) { return true; });
     const std::size_t most = std::max(MostSamplesOfPlace, MostSamples / std::max<std::size_t>(parts.size(), 1));
     std::vector<char> isBetweenSamples(parts.size(), 0);
     ParallelFor(parts.size(), 1, [&](std::size_t n, std::size_t) {
-      isBetweenSamples[n] = char(this->VanishesBetweenSamples(parts[n], most));
+      isBetweenSamples[n] = char(this->VanishesBetweenSamples(parts[n], differing, most));
     });
     TopologyDifferences result;
     for (std::size_t n = 0; n < parts.size(); ++n)
@@ -194,9 +194,10 @@ private:
     return changes;
   }
 
-  /** Whether more samples, but no more than `most`, make the difference of a part go away. */
+  /** Whether more samples, but no more than `most`, make the difference of a part go away, with all that is left of
+   * differing cells within the box around it. */
   bool
-  VanishesBetweenSamples(const Cells & part, std::size_t most) const
+  VanishesBetweenSamples(const Cells & part, const Cells & differing, std::size_t most) const
   {
     IndexBox box{ m_Blocks.Cells().IndexAt(part[0]), m_Blocks.Cells().IndexAt(part[0]) };
     for (const auto cell : part)
@@ -208,10 +209,18 @@ private:
         box.upper[a] = std::max(box.upper[a], (at[a] + 1) / 2 * 2);
       }
     }
-    const auto changes = this->ChangesOf(part);
     for (const int margin : { 0, 2 })
     {
-      const auto seen = this->LookCloser(this->Grown(box, margin), changes, most);
+      const IndexBox wide = this->Grown(box, margin);
+      Cells          within;
+      wide.Visit([&](const Index & cell) {
+        const auto number = m_Blocks.Cells().Offset(cell);
+        if (std::binary_search(differing.begin(), differing.end(), number))
+        {
+          within.push_back(number);
+        }
+      });
+      const auto seen = this->LookCloser(wide, this->ChangesOf(within), most);
       if (seen != CloserLook::IsCut)
       {
         return seen == CloserLook::Vanishes;
@@ -251,7 +260,7 @@ private:
       }
       if (subdivision > 1 && IsZero(found))
       {
-        break; // more samples would not see more
+        break; // more samples would hardly see more
       }
     }
     return isCut ? CloserLook::IsCut : CloserLook::Stays;

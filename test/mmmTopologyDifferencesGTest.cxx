@@ -290,52 +290,97 @@ TEST(TopologyDifferences, AreTheSameInAMeshThatHasChangedAsInANewOne)
   expectSame(1);
 }
 
-/** Between 0 and 1, there is a sheet of 2, this thick in the middle, halfway between two samples. */
+/** Between 0 and 1, there is a sheet of 2, this thick in the middle, halfway between two samples; in the mesh, it has
+ * no hole in any case. */
+struct ThinSheetScene
+{
+  explicit ThinSheetScene(double thickness)
+    : grid(MakeGrid())
+    , indicators(grid, MakeIndicators(grid, thickness), -100.0)
+    // the layer of tetrahedra in the middle becomes the sheet
+    , tetrahedra(grid, [](const Vector & x) { return std::abs(x[2]) < 0.5 ? 2
+                                                     : x[2] > 0.0         ? 0
+                                                                          : 1; })
+  {
+    constexpr int Middle = Size / 2;
+    for (Vector & x : tetrahedra.points)
+    {
+      const double middle = Centre()[2] + Height;
+      const double half = std::max(0.001, HalfThickness(thickness, x - Centre()));
+      x[2] = x[2] < Middle ? (middle - half) * x[2] / (Middle - 1)
+                           : middle + half + (Size - 1 - middle - half) * (x[2] - Middle) / (Size - 1 - Middle);
+    }
+  }
+
+  mmm::Grid         grid;
+  mmm::IndicatorSet indicators;
+  Tetrahedra        tetrahedra;
+
+private:
+  static constexpr double Height = 0.125;
+
+  static double
+  HalfThickness(double inTheMiddle, const Vector & x)
+  {
+    return 0.5 * inTheMiddle + 0.05 * (x[0] * x[0] + x[1] * x[1]);
+  }
+
+  static mmm::Grid
+  MakeGrid()
+  {
+    mmm::Grid grid;
+    grid.size = { { Size, Size, Size } };
+    return grid;
+  }
+
+  static std::vector<mmm::IndicatorBricks>
+  MakeIndicators(const mmm::Grid & grid, double thickness)
+  {
+    std::vector<mmm::IndicatorBricks> bricks;
+    for (int m = 0; m < 3; ++m)
+    {
+      std::vector<float> values;
+      for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
+      {
+        const Vector x = grid.Position(grid.IndexAt(n)) - Centre();
+        values.push_back(float(m == 0 ? x[2] - Height : m == 1 ? Height - x[2] : HalfThickness(thickness, x)));
+      }
+      bricks.emplace_back(grid, mmm::BlockView<const float>{ { { 0, 0, 0 } }, grid.size, values.data() }, -100.0f);
+    }
+    return bricks;
+  }
+};
+
 class ThinSheet : public testing::TestWithParam<double>
 {};
 
 TEST_P(ThinSheet, IsNoDifference)
 {
-  const double height = 0.125;
-  const auto   thickness = [](const Vector & x) { return 0.5 * GetParam() + 0.05 * (x[0] * x[0] + x[1] * x[1]); };
-  mmm::Grid    grid;
-  grid.size = { { Size, Size, Size } };
-  std::vector<mmm::IndicatorBricks> bricks;
-  for (int m = 0; m < 3; ++m)
-  {
-    std::vector<float> values;
-    for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
-    {
-      const Vector x = grid.Position(grid.IndexAt(n)) - Centre();
-      values.push_back(float(m == 0 ? x[2] - height : m == 1 ? height - x[2] : thickness(x)));
-    }
-    bricks.emplace_back(grid, mmm::BlockView<const float>{ { { 0, 0, 0 } }, grid.size, values.data() }, -100.0f);
-  }
-  const mmm::IndicatorSet  indicators(grid, std::move(bricks), -100.0);
-  const mmm::SampleLattice lattice(indicators, 4);
+  const ThinSheetScene     scene(GetParam());
+  const mmm::SampleLattice lattice(scene.indicators, 4);
   ASSERT_EQ(mmm::ComputePartitionTopology(lattice, lattice.SamplePartition(Exterior))[2],
             (mmm::BettiNumbers{ { 1, 1, 0 } })); // a hole
-  // the layer of tetrahedra in the middle becomes the sheet
-  constexpr int Middle = Size / 2;
-  Tetrahedra    tetrahedra(grid, [](const Vector & x) { return std::abs(x[2]) < 0.5 ? 2 : x[2] > 0.0 ? 0 : 1; });
-  for (Vector & x : tetrahedra.points)
-  {
-    const double middle = Centre()[2] + height;
-    const double half = thickness(x - Centre());
-    x[2] = x[2] < Middle ? (middle - half) * x[2] / (Middle - 1)
-                         : middle + half + (Size - 1 - middle - half) * (x[2] - Middle) / (Size - 1 - Middle);
-  }
-  const auto differences = FindDifferences(indicators, tetrahedra);
+  const auto differences = FindDifferences(scene.indicators, scene.tetrahedra);
   EXPECT_TRUE(differences.places.empty());
   EXPECT_EQ(Sum(differences.betweenSamples), (Changes{ { 2, 1 } }));
 
-  const auto report = mmm::CompareTopology(indicators, tetrahedra.points, tetrahedra.mesh, Exterior, 4);
+  const auto & tetrahedra = scene.tetrahedra;
+  const auto   report = mmm::CompareTopology(scene.indicators, tetrahedra.points, tetrahedra.mesh, Exterior, 4);
   EXPECT_EQ(report.labels[2].mesh, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].partition, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].unexplained, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(TopologyDifferences, ThinSheet, testing::Values(0.06, 0.002));
+
+TEST(TopologyDifferences, StayWhereAThinSheetHasAHole)
+{
+  // of a radius of 0.15, where samples are 0.25 apart
+  const ThinSheetScene scene(-0.00225);
+  const auto           differences = FindDifferences(scene.indicators, scene.tetrahedra);
+  ASSERT_EQ(differences.places.size(), 1u);
+  EXPECT_EQ(Sum(differences.places[0].changes), (Changes{ { 2, 1 } }));
+}
 
 TEST(TopologyComparison, IsCompleteWhereTheMeshIsFarOff)
 {
