@@ -20,6 +20,8 @@
 
 #include "mmmGrid.h"
 
+#include <algorithm>
+
 namespace mmm
 {
 /** \brief Indices of nodes, samples or cells, those at both ends included. */
@@ -33,6 +35,19 @@ struct IndexBox
   Of(const Index & size)
   {
     return { { { 0, 0, 0 } }, { { size[0] - 1, size[1] - 1, size[2] - 1 } } };
+  }
+
+  /** With a margin, as far as there are indices: from 0 up to but without `size`. */
+  IndexBox
+  Grown(int margin, const Index & size) const
+  {
+    IndexBox grown;
+    for (int a = 0; a < 3; ++a)
+    {
+      grown.lower[a] = std::max(0, lower[a] - margin);
+      grown.upper[a] = std::min(size[a] - 1, upper[a] + margin);
+    }
+    return grown;
   }
 
   Index

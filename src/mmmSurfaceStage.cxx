@@ -341,13 +341,9 @@ private:
     std::vector<Index> around;
     for (const Index & sample : samples)
     {
-      IndexBox box{ sample, sample };
-      for (int a = 0; a < 3; ++a)
-      {
-        box.lower[a] = std::max(0, sample[a] - reach);
-        box.upper[a] = std::min(m_Lattice.GetSize()[a] - 1, sample[a] + reach);
-      }
-      box.Visit([&](const Index & at) { around.push_back(at); });
+      IndexBox{ sample, sample }.Grown(reach, m_Lattice.GetSize()).Visit([&](const Index & at) {
+        around.push_back(at);
+      });
     }
     MakeUnique(around);
     return around;

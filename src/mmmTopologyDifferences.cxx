@@ -19,6 +19,7 @@
 
 #include "mmmDisjointSets.h"
 #include "mmmFineSamples.h"
+#include "mmmIndexBox.h"
 #include "mmmLocalCharacteristics.h"
 #include "mmmMakeUnique.h"
 #include "mmmParallel.h"
@@ -120,7 +121,7 @@ private:
     for (std::size_t n = 0; n < cells.size(); ++n)
     {
       const Index here = m_Blocks.Cells().IndexAt(cells[n]);
-      this->Grown({ here, here }, 1).Visit([&](const Index & there) {
+      IndexBox{ here, here }.Grown(1, m_Blocks.Cells().size).Visit([&](const Index & there) {
         const auto number = m_Blocks.Cells().Offset(there);
         const auto found = std::lower_bound(cells.begin(), cells.begin() + n, number);
         if (found != cells.begin() + n && *found == number && isJoined(here, there))
@@ -211,7 +212,7 @@ private:
     }
     for (const int margin : { 0, 2 })
     {
-      const IndexBox wide = this->Grown(box, margin);
+      const IndexBox wide = box.Grown(margin, m_Blocks.Cells().size);
       Cells          within;
       wide.Visit([&](const Index & cell) {
         const auto number = m_Blocks.Cells().Offset(cell);
@@ -266,25 +267,14 @@ private:
     return isCut ? CloserLook::IsCut : CloserLook::Stays;
   }
 
-  /** As far as there are cells. */
-  IndexBox
-  Grown(IndexBox box, int margin) const
-  {
-    for (int a = 0; a < 3; ++a)
-    {
-      box.lower[a] = std::max(0, box.lower[a] - margin);
-      box.upper[a] = std::min(m_Blocks.Cells().size[a] - 1, box.upper[a] + margin);
-    }
-    return box;
-  }
-
   /** Whether more samples within blocks leave what is around the blocks as it is. */
   bool
   IsSameAround(const IndexBox & blocks, const FineSamples & samples) const
   {
     bool isSame = true;
-    this->Grown(blocks, 1).Visit(
-      [&](const Index & cell) { isSame = isSame && (blocks.Contains(cell) || IsZero(samples.ChangesAt(cell))); });
+    blocks.Grown(1, m_Blocks.Cells().size).Visit([&](const Index & cell) {
+      isSame = isSame && (blocks.Contains(cell) || IsZero(samples.ChangesAt(cell)));
+    });
     return isSame;
   }
 
