@@ -236,10 +236,10 @@ try
                                { "relaxation of 1-cells", 0.01 },
                                { "relaxation of 2-cells", 0.13 },
                                { "surface", 0.22 },
+                               { "topology", 0.02 },
                                { "seeding of the interior", 0.02 },
                                { "relaxation of the interior", 0.09 },
                                { "constrained tetrahedralization", 0.08 },
-                               { "topology", 0.02 },
                                { "optimization", 0.33 },
                                { "fit of the interfaces", 0.06 },
                                { "output", 0.01 } });

@@ -83,6 +83,11 @@ ComputeMeshTopology(const std::vector<Vector> &        points,
                     const std::vector<std::uint32_t> & regions,
                     std::size_t                        numberOfRegions,
                     bool                               withBettiNumbers = false);
+
+/** The topology of each material of a mesh, with Betti numbers; materials are up to `numberOfMaterials`, which stands
+ * for what is none of them. */
+MultiMaterialMeshing_EXPORT MeshTopology
+ComputeMeshTopology(const std::vector<Vector> & points, const TetrahedralMesh & mesh, std::size_t numberOfMaterials);
 } // namespace mmm
 
 #endif

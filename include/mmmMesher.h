@@ -45,6 +45,13 @@ struct MeshingParameters
   bool keepTopology{ false };
   /** Compare the Betti numbers of the mesh with those of the indicators' partition. */
   bool compareTopology{ false };
+
+  /** The number of what is not meshed: that of its material, or one that no material has. */
+  Material
+  ExteriorOf(const IndicatorSet & indicators) const
+  {
+    return Material(exterior >= 0 ? std::size_t(exterior) : indicators.GetNumberOfMaterials());
+  }
 };
 
 /** \brief How the materials meet around the points of interfaces, see FindLinkDefects(). */

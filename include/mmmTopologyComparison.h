@@ -18,9 +18,9 @@
 #ifndef mmmTopologyComparison_h
 #define mmmTopologyComparison_h
 
-#include "mmmIndicatorSet.h"
 #include "mmmMeshTopology.h"
 #include "mmmMeshingPlace.h"
+#include "mmmTopologyDifferences.h"
 
 namespace mmm
 {
@@ -52,19 +52,46 @@ struct TopologyReport
   std::vector<TopologyPlace> differences;
 };
 
-/** \brief Compares the topology of a mesh, which has no exterior, with that of the argmax partition of the indicators.
+/** \brief Compares the topology of meshes with that of the argmax partition of the indicators.
  *
- * The mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
+ * A mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
  * where more samples show that the mesh is right, see TopologyDifferenceFinder: if no place is left for a material,
  * its numbers are the mesh's, otherwise its tunnels change. The places are found there, too; their changes add up to
- * the difference of the Euler characteristics, or else what is left unexplained is told. `samplesPerVoxel` is along
- * each axis, 2 or 4. */
-MultiMaterialMeshing_EXPORT TopologyReport
-CompareTopology(const IndicatorSet &        indicators,
-                const std::vector<Vector> & points,
-                const TetrahedralMesh &     mesh,
-                Material                    exterior,
-                int                         samplesPerVoxel);
+ * the difference of the Euler characteristics, or else what is left unexplained is told. */
+class MultiMaterialMeshing_EXPORT TopologyComparison
+{
+public:
+  /** What is of `exterior` in a mesh is not looked at; there may be nothing instead. `samplesPerVoxel` is along each
+   * axis, 2 or 4. */
+  TopologyComparison(const IndicatorSet & indicators, Material exterior, int samplesPerVoxel);
+
+  const SampleLattice &
+  GetLattice() const
+  {
+    return m_Lattice;
+  }
+  const SampledMaterials &
+  GetPartition() const
+  {
+    return m_Partition;
+  }
+
+  /** See TopologyDifferenceFinder::Find(). */
+  TopologyDifferences
+  FindDifferences(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+  {
+    return m_Finder.Find(points, mesh);
+  }
+  /** The same with Betti numbers. */
+  TopologyReport
+  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+
+private:
+  const SampleLattice      m_Lattice;
+  const SampledMaterials   m_Partition;
+  const Material           m_Exterior;
+  TopologyDifferenceFinder m_Finder;
+};
 } // namespace mmm
 
 #endif

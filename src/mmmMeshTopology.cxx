@@ -443,4 +443,11 @@ ComputeMeshTopology(const std::vector<Vector> &        points,
   }
   return TopologyBuilder(points, tetrahedra, regions, numberOfRegions).Build(withBettiNumbers);
 }
+
+MeshTopology
+ComputeMeshTopology(const std::vector<Vector> & points, const TetrahedralMesh & mesh, std::size_t numberOfMaterials)
+{
+  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
+  return ComputeMeshTopology(points, mesh.tetrahedra, regions, numberOfMaterials + 1, true);
+}
 } // namespace mmm

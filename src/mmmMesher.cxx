@@ -154,8 +154,7 @@ HasTopologyOf(const TopologyReport &      report,
               const std::vector<Vector> & points,
               const TetrahedralMesh &     mesh)
 {
-  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
-  const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, numberOfMaterials, true);
+  const auto topology = ComputeMeshTopology(points, mesh, numberOfMaterials);
   return std::all_of(report.labels.begin(), report.labels.end(), [&](const LabelTopology & entry) {
     return topology.regions[entry.label].betti == entry.mesh;
   });
@@ -179,8 +178,7 @@ BuildMesh(const IndicatorSet &      indicators,
           Monitor &                 monitor,
           MeshingResult &           result)
 {
-  const auto exterior =
-    Material(parameters.exterior >= 0 ? std::size_t(parameters.exterior) : indicators.GetNumberOfMaterials());
+  const Material  exterior = parameters.ExteriorOf(indicators);
   MeshingReport & report = result.report;
   ParticleSet &   particles = result.particles;
 
@@ -207,15 +205,7 @@ BuildMesh(const IndicatorSet &      indicators,
       << " particles found a place on one. The image needs at least one voxel of a label that is "
          "not exterior.");
   }
-  result.interfaces = BuildSurface(indicators,
-                                   sizing,
-                                   parameters.exterior,
-                                   parameters.seed,
-                                   parameters.keepTopology,
-                                   sizes,
-                                   particles,
-                                   monitor,
-                                   report);
+  result.interfaces = BuildSurface(indicators, sizing, parameters, sizes, particles, monitor, report);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);
@@ -260,20 +250,6 @@ BuildMesh(const IndicatorSet &      indicators,
   report.steinerPoints = result.points.size() - numberOfPoints;
   monitor.Report(1.0);
 
-  const auto compareTopology = [&](const TetrahedralMesh & mesh) {
-    report.topology =
-      CompareTopology(indicators, result.points, mesh, exterior, SampleLattice::RefinementFor(parameters.keepTopology));
-  };
-  if (parameters.compareTopology)
-  {
-    // optimization and fit keep it, but leave the indicators
-    monitor.BeginStage("topology");
-    TetrahedralMesh mesh = result.tetrahedra;
-    DropMaterial(exterior, mesh);
-    compareTopology(mesh);
-    monitor.Report(1.0);
-  }
-
   monitor.BeginStage("optimization");
   const IndicatorConstraint    constraint(indicators, exterior, particles);
   TetrahedralComplex           complex(result.tetrahedra, result.points.size());
@@ -286,7 +262,8 @@ BuildMesh(const IndicatorSet &      indicators,
   if (parameters.compareTopology &&
       !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
   {
-    compareTopology(result.tetrahedra);
+    report.topology = TopologyComparison(indicators, exterior, SampleLattice::RefinementFor(parameters.keepTopology))
+                        .Compare(result.points, result.tetrahedra);
   }
   monitor.BeginStage("fit of the interfaces");
   FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);

@@ -28,7 +28,7 @@
 #include "mmmSpatialOrder.h"
 #include "mmmSurfaceLabelling.h"
 #include "mmmSurfaceRelaxation.h"
-#include "mmmTopologyDifferences.h"
+#include "mmmTopologyComparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -207,22 +207,18 @@ DescribeLinks(const LinkRepairReport & repair, const ParticleSet & particles, Li
 class SurfaceBuilder
 {
 public:
-  SurfaceBuilder(const IndicatorSet & indicators,
-                 const SizingField &  sizing,
-                 int                  exteriorIndex,
-                 std::uint64_t        seed,
-                 bool                 keepTopology,
-                 std::vector<float> & sizes,
-                 ParticleSet &        particles)
+  SurfaceBuilder(const IndicatorSet &      indicators,
+                 const SizingField &       sizing,
+                 const MeshingParameters & parameters,
+                 std::vector<float> &      sizes,
+                 ParticleSet &             particles)
     : m_Indicators(indicators)
     , m_Sizing(sizing)
-    , m_ExteriorIndex(exteriorIndex)
-    , m_Exterior(Material(exteriorIndex >= 0 ? std::size_t(exteriorIndex) : indicators.GetNumberOfMaterials()))
-    , m_Seed(seed)
-    , m_MendingRounds(keepTopology ? MendingRounds : 0)
-    , m_Lattice(indicators, SampleLattice::RefinementFor(keepTopology))
-    , m_Partition(m_Lattice.SamplePartition(m_Exterior))
-    , m_Differences(m_Lattice, m_Partition, m_Exterior)
+    , m_ExteriorIndex(parameters.exterior)
+    , m_Exterior(parameters.ExteriorOf(indicators))
+    , m_Seed(parameters.seed)
+    , m_MendingRounds(parameters.keepTopology ? MendingRounds : 0)
+    , m_Topology(indicators, m_Exterior, SampleLattice::RefinementFor(parameters.keepTopology))
     , m_Sizes(sizes)
     , m_Particles(particles)
   {}
@@ -249,6 +245,12 @@ public:
         break;
       }
     }
+  }
+
+  TopologyReport
+  CompareTopology()
+  {
+    return m_Topology.Compare(m_Particles.positions, m_Labelled);
   }
 
   InterfaceMesh
@@ -320,7 +322,7 @@ private:
       return false;
     }
     const auto differing = this->FindDifferingSamples();
-    if (double(differing.size()) > ShareOfNoise * double(m_Lattice.NumberOfKept()))
+    if (double(differing.size()) > ShareOfNoise * double(m_Topology.GetLattice().NumberOfKept()))
     {
       return false;
     }
@@ -341,7 +343,7 @@ private:
     std::vector<Index> around;
     for (const Index & sample : samples)
     {
-      IndexBox{ sample, sample }.Grown(reach, m_Lattice.GetSize()).Visit([&](const Index & at) {
+      IndexBox{ sample, sample }.Grown(reach, m_Topology.GetLattice().GetSize()).Visit([&](const Index & at) {
         around.push_back(at);
       });
     }
@@ -354,7 +356,7 @@ private:
   FindDifferingSamples()
   {
     std::vector<Index> samples;
-    const auto         differences = m_Differences.Find(m_Particles.positions, m_Labelled);
+    const auto         differences = m_Topology.FindDifferences(m_Particles.positions, m_Labelled);
     for (const auto & place : differences.places)
     {
       if (m_MendingRounds > 0 || place.samples.size() <= LargestPlace)
@@ -373,10 +375,11 @@ private:
     std::vector<Vector> places;
     for (const Index & sample : samples)
     {
-      places.push_back(m_Lattice.Position(sample));
+      places.push_back(m_Topology.GetLattice().Position(sample));
     }
     RefineSizes(m_Indicators.GetGrid(), places, distance, m_Sizes);
-    return SeedParticlesAround(m_Lattice, m_Partition, samples, m_Sizing, m_ExteriorIndex, m_Seed, m_Particles);
+    return SeedParticlesAround(
+      m_Topology.GetLattice(), m_Topology.GetPartition(), samples, m_Sizing, m_ExteriorIndex, m_Seed, m_Particles);
   }
 
   const IndicatorSet &                m_Indicators;
@@ -385,9 +388,7 @@ private:
   const Material                      m_Exterior;
   const std::uint64_t                 m_Seed;
   const int                           m_MendingRounds;
-  const SampleLattice                 m_Lattice;
-  const SampledMaterials              m_Partition;
-  TopologyDifferenceFinder            m_Differences;
+  TopologyComparison                  m_Topology;
   std::vector<float> &                m_Sizes;
   ParticleSet &                       m_Particles;
   TetrahedralMesh                     m_Labelled;
@@ -397,18 +398,23 @@ private:
 } // namespace
 
 InterfaceMesh
-BuildSurface(const IndicatorSet & indicators,
-             const SizingField &  sizing,
-             int                  exteriorIndex,
-             std::uint64_t        seed,
-             bool                 keepTopology,
-             std::vector<float> & sizes,
-             ParticleSet &        particles,
-             Monitor &            monitor,
-             MeshingReport &      report)
+BuildSurface(const IndicatorSet &      indicators,
+             const SizingField &       sizing,
+             const MeshingParameters & parameters,
+             std::vector<float> &      sizes,
+             ParticleSet &             particles,
+             Monitor &                 monitor,
+             MeshingReport &           report)
 {
-  SurfaceBuilder builder(indicators, sizing, exteriorIndex, seed, keepTopology, sizes, particles);
+  SurfaceBuilder builder(indicators, sizing, parameters, sizes, particles);
   builder.Build(monitor);
+  if (parameters.compareTopology)
+  {
+    // no later stage changes it, or else it is compared again
+    monitor.Report(1.0);
+    monitor.BeginStage("topology");
+    report.topology = builder.CompareTopology();
+  }
   return builder.Finish(report);
 }
 } // namespace mmm

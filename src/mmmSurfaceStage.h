@@ -29,15 +29,13 @@ namespace mmm
  * smaller there. Links are mended, see RepairLinks(). Where the topology is not that of the indicators, particles are
  * added, too; with `keepTopology` in more rounds, and looking more closely. */
 InterfaceMesh
-BuildSurface(const IndicatorSet & indicators,
-             const SizingField &  sizing,
-             int                  exteriorIndex,
-             std::uint64_t        seed,
-             bool                 keepTopology,
-             std::vector<float> & sizes,
-             ParticleSet &        particles,
-             Monitor &            monitor,
-             MeshingReport &      report);
+BuildSurface(const IndicatorSet &      indicators,
+             const SizingField &       sizing,
+             const MeshingParameters & parameters,
+             std::vector<float> &      sizes,
+             ParticleSet &             particles,
+             Monitor &                 monitor,
+             MeshingReport &           report);
 } // namespace mmm
 
 #endif

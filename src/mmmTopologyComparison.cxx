@@ -18,7 +18,6 @@
 #include "mmmTopologyComparison.h"
 
 #include "mmmPartitionTopology.h"
-#include "mmmTopologyDifferences.h"
 
 namespace mmm
 {
@@ -44,20 +43,21 @@ Describe(const TopologyDifference & difference)
 }
 } // namespace
 
+TopologyComparison::TopologyComparison(const IndicatorSet & indicators, Material exterior, int samplesPerVoxel)
+  : m_Lattice(indicators, samplesPerVoxel)
+  , m_Partition(m_Lattice.SamplePartition(exterior))
+  , m_Exterior(exterior)
+  , m_Finder(m_Lattice, m_Partition, exterior)
+{}
+
 TopologyReport
-CompareTopology(const IndicatorSet &        indicators,
-                const std::vector<Vector> & points,
-                const TetrahedralMesh &     mesh,
-                Material                    exterior,
-                int                         samplesPerVoxel)
+TopologyComparison::Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
 {
-  const SampleLattice         lattice(indicators, samplesPerVoxel);
-  const SampledMaterials      wanted = lattice.SamplePartition(exterior);
-  auto                        partition = ComputePartitionTopology(lattice, wanted);
+  auto                        partition = ComputePartitionTopology(m_Lattice, m_Partition);
   TopologyReport              report;
   std::vector<std::ptrdiff_t> explained(partition.size(), 0);
   std::vector<char>           hasPlace(partition.size(), 0);
-  const auto                  differences = TopologyDifferenceFinder(lattice, wanted, exterior).Find(points, mesh);
+  const auto                  differences = this->FindDifferences(points, mesh);
   for (const auto & place : differences.places)
   {
     report.differences.push_back(Describe(place));
@@ -67,8 +67,7 @@ CompareTopology(const IndicatorSet &        indicators,
       hasPlace[change.material] = 1;
     }
   }
-  const std::vector<std::uint32_t> regions(mesh.materials.begin(), mesh.materials.end());
-  const auto topology = ComputeMeshTopology(points, mesh.tetrahedra, regions, partition.size(), true);
+  const auto topology = ComputeMeshTopology(points, mesh, partition.size());
   for (const auto & change : differences.betweenSamples)
   {
     // without a place, all differences went away, of components and cavities, too
@@ -85,7 +84,7 @@ CompareTopology(const IndicatorSet &        indicators,
   }
   for (std::size_t m = 0; m < partition.size(); ++m)
   {
-    if (m != exterior)
+    if (m != m_Exterior)
     {
       const BettiNumbers & betti = topology.regions[m].betti;
       report.labels.push_back(

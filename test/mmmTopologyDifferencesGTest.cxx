@@ -226,8 +226,7 @@ TEST(TopologyDifferences, AddUpToThatOfTheCharacteristics)
       return (x.norm() < Radius) != (isNear && mmm::Hash(++n) % 5 == 0);
     });
     auto sum = Sum(mmm::TopologyDifferenceFinder(lattice, partition, Exterior).Find(noise.points, noise.mesh).places);
-    const std::vector<std::uint32_t> regions(noise.mesh.materials.begin(), noise.mesh.materials.end());
-    const auto actual = mmm::ComputeMeshTopology(noise.points, noise.mesh.tetrahedra, regions, 2, true);
+    const auto actual = mmm::ComputeMeshTopology(noise.points, noise.mesh, 2);
     for (mmm::Material m = 0; m < 2; ++m)
     {
       EXPECT_NE(sum[m], 0);
@@ -365,7 +364,8 @@ TEST_P(ThinSheet, IsNoDifference)
   EXPECT_EQ(Sum(differences.betweenSamples), (Changes{ { 2, 1 } }));
 
   const auto & tetrahedra = scene.tetrahedra;
-  const auto   report = mmm::CompareTopology(scene.indicators, tetrahedra.points, tetrahedra.mesh, Exterior, 4);
+  const auto   report =
+    mmm::TopologyComparison(scene.indicators, Exterior, 4).Compare(tetrahedra.points, tetrahedra.mesh);
   EXPECT_EQ(report.labels[2].mesh, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].partition, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].unexplained, 0);
@@ -400,7 +400,7 @@ TEST(TopologyComparison, IsCompleteWhereTheMeshIsFarOff)
         mesh.materials.push_back(all.mesh.materials[t]);
       }
     }
-    const auto report = mmm::CompareTopology(*scene.indicators, all.points, mesh, exterior, 4);
+    const auto report = mmm::TopologyComparison(*scene.indicators, exterior, 4).Compare(all.points, mesh);
     for (const auto & label : report.labels)
     {
       EXPECT_EQ(label.unexplained, 0) << "exterior " << exterior << " label " << label.label;
@@ -424,7 +424,7 @@ TEST(TopologyComparison, ExplainsAPartThatTheMeshLacks)
 {
   const mmmtest::Scene scene(mmmtest::MakeBallMaterials(Size, Centre(), 2.0));
   // without a tetrahedron, the ball is missing
-  const auto report = mmm::CompareTopology(*scene.indicators, {}, mmm::TetrahedralMesh(), 0, 4);
+  const auto report = mmm::TopologyComparison(*scene.indicators, 0, 4).Compare({}, mmm::TetrahedralMesh());
   ASSERT_EQ(report.labels.size(), 1u);
   EXPECT_EQ(report.labels[0].label, 1);
   EXPECT_EQ(report.labels[0].mesh, (mmm::BettiNumbers{ { 0, 0, 0 } }));
