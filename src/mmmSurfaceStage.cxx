@@ -24,6 +24,7 @@
 #include "mmmLinkRepair.h"
 #include "mmmLostNodes.h"
 #include "mmmMakeUnique.h"
+#include "mmmParallel.h"
 #include "mmmParticleMerging.h"
 #include "mmmSpatialOrder.h"
 #include "mmmSurfaceLabelling.h"
@@ -70,25 +71,25 @@ constexpr float CoarseSize = 1.75f;
 void
 RefineSizes(const Grid & grid, const std::vector<Vector> & places, double smallest, std::vector<float> & sizes)
 {
-  for (const Vector & place : places)
-  {
-    IndexBox box;
-    for (int a = 0; a < 3; ++a)
+  constexpr std::size_t LayersPerRange = 4;
+  ParallelFor(grid.size[2], LayersPerRange, [&](std::size_t begin, std::size_t end) {
+    for (const Vector & place : places)
     {
-      const int centre = int(std::floor(place[a] / grid.spacing[a] + 0.5));
-      const int reach = int(RecoveryReach / grid.spacing[a]);
-      box.lower[a] = centre - reach;
-      box.upper[a] = centre + reach;
-    }
-    box.Visit([&](const Index & at) {
-      if (grid.Contains(at))
+      IndexBox box;
+      for (int a = 0; a < 3; ++a)
       {
+        const int centre = int(std::floor(place[a] / grid.spacing[a] + 0.5));
+        const int reach = int(RecoveryReach / grid.spacing[a]);
+        box.lower[a] = std::max(centre - reach, a == 2 ? int(begin) : 0);
+        box.upper[a] = std::min(centre + reach, (a == 2 ? int(end) : grid.size[a]) - 1);
+      }
+      box.Visit([&](const Index & at) {
         const double distance = (grid.Position(at) - place).norm();
         float &      size = sizes[grid.Offset(at)];
         size = std::min(size, float(smallest + RecoveryGrowth * distance));
-      }
-    });
-  }
+      });
+    }
+  });
 }
 
 /** The same for grid nodes, at the usual distance. */
