@@ -50,6 +50,8 @@ struct TopologyReport
   std::vector<LabelTopology> labels;
   /** Where it is not. */
   std::vector<TopologyPlace> differences;
+  /** Where differences side by side cancel out: Betti numbers may differ, or not. */
+  std::vector<MeshingPlace> cancelling;
 };
 
 /** \brief Compares the topology of meshes with that of the argmax partition of the indicators.

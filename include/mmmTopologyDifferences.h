@@ -45,6 +45,8 @@ struct TopologyDifference
 struct TopologyDifferences
 {
   std::vector<TopologyDifference> places;
+  /** Where differences side by side cancel out: that may be a component and a tunnel more, or nothing. */
+  std::vector<TopologyDifference> cancelling;
   /** What the partition has more where it is sampled finely enough to see that the mesh is right, by material. */
   std::vector<EulerChange> betweenSamples;
 };

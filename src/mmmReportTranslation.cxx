@@ -44,6 +44,7 @@ TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, M
 {
   Translate(geometry, labels, report.links.left);
   Translate(geometry, labels, report.inconsistentTriangles);
+  Translate(geometry, labels, report.topology.cancelling);
   for (TopologyPlace & difference : report.topology.differences)
   {
     Translate(geometry, difference.place);

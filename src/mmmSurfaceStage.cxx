@@ -58,7 +58,7 @@ constexpr double ShareOfNoise = 0.05;
 /** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
  * elements. */
 constexpr double MendingShrinkage = 0.75;
-constexpr double SmallestMendingSize = 0.25;
+constexpr double SmallestMendingSize = 0.1;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
  * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
 constexpr double RecoverySize = 0.5;
@@ -358,12 +358,19 @@ private:
   {
     std::vector<Index> samples;
     const auto         differences = m_Topology.FindDifferences(m_Particles.positions, m_Labelled);
+    const auto         add = [&samples](const TopologyDifference & place) {
+      samples.insert(samples.end(), place.samples.begin(), place.samples.end());
+    };
     for (const auto & place : differences.places)
     {
       if (m_MendingRounds > 0 || place.samples.size() <= LargestPlace)
       {
-        samples.insert(samples.end(), place.samples.begin(), place.samples.end());
+        add(place);
       }
+    }
+    if (m_MendingRounds > 0)
+    {
+      std::for_each(differences.cancelling.begin(), differences.cancelling.end(), add);
     }
     MakeUnique(samples);
     return samples;

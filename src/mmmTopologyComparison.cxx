@@ -58,6 +58,10 @@ TopologyComparison::Compare(const std::vector<Vector> & points, const Tetrahedra
   std::vector<std::ptrdiff_t> explained(partition.size(), 0);
   std::vector<char>           hasPlace(partition.size(), 0);
   const auto                  differences = this->FindDifferences(points, mesh);
+  for (const auto & place : differences.cancelling)
+  {
+    report.cancelling.push_back(Describe(place).place);
+  }
   for (const auto & place : differences.places)
   {
     report.differences.push_back(Describe(place));

@@ -86,14 +86,21 @@ public:
       cells.push_back(entry.cell);
     }
     MakeUnique(cells);
-    const Cells       differing = Joined(this->DifferingPartsOf(cells, IsIncident));
-    const auto        parts = this->DifferingPartsOf(differing, [](const Index &, const Index &) { return true; });
-    const std::size_t most = std::max(MostSamplesOfPlace, MostSamples / std::max<std::size_t>(parts.size(), 1));
-    std::vector<char> isBetweenSamples(parts.size(), 0);
+    std::vector<Cells> incident = this->PartsOf(cells, IsIncident);
+    this->TakeCancelling(incident);
+    const Cells        differing = Joined(incident);
+    std::vector<Cells> parts = this->PartsOf(differing, [](const Index &, const Index &) { return true; });
+    const auto         cancelling = this->TakeCancelling(parts);
+    const std::size_t  most = std::max(MostSamplesOfPlace, MostSamples / std::max<std::size_t>(parts.size(), 1));
+    std::vector<char>  isBetweenSamples(parts.size(), 0);
     ParallelFor(parts.size(), 1, [&](std::size_t n, std::size_t) {
       isBetweenSamples[n] = char(this->VanishesBetweenSamples(parts[n], differing, most));
     });
     TopologyDifferences result;
+    for (const Cells & part : cancelling)
+    {
+      result.cancelling.push_back(this->Describe(part));
+    }
     for (std::size_t n = 0; n < parts.size(); ++n)
     {
       if (isBetweenSamples[n])
@@ -145,16 +152,15 @@ private:
     return parts;
   }
 
-  /** Those that add up to a difference. */
-  template <typename TIsJoined>
+  /** Leaves the parts that add up to a difference, and returns the others. */
   std::vector<Cells>
-  DifferingPartsOf(const Cells & cells, const TIsJoined & isJoined) const
+  TakeCancelling(std::vector<Cells> & parts) const
   {
-    std::vector<Cells> parts = this->PartsOf(cells, isJoined);
-    parts.erase(
-      std::remove_if(parts.begin(), parts.end(), [this](const Cells & part) { return IsZero(this->ChangesOf(part)); }),
-      parts.end());
-    return parts;
+    const auto first = std::stable_partition(
+      parts.begin(), parts.end(), [this](const Cells & part) { return !IsZero(this->ChangesOf(part)); });
+    std::vector<Cells> cancelling(std::make_move_iterator(first), std::make_move_iterator(parts.end()));
+    parts.erase(first, parts.end());
+    return cancelling;
   }
 
   static Cells
@@ -297,9 +303,11 @@ private:
   {
     TopologyDifference difference;
     const auto         changes = this->ChangesOf(part);
-    std::copy_if(changes.begin(), changes.end(), std::back_inserter(difference.changes), [](const EulerChange & entry) {
-      return entry.change != 0;
-    });
+    const bool         isCancelling = IsZero(changes);
+    std::copy_if(changes.begin(),
+                 changes.end(),
+                 std::back_inserter(difference.changes),
+                 [&](const EulerChange & entry) { return isCancelling || entry.change != 0; });
     difference.position = Vector::Zero();
     for (const auto number : part)
     {

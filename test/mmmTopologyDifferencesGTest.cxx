@@ -162,6 +162,7 @@ TEST(TopologyDifferences, AreNoneWhereASurfaceIsALittleOff)
   EXPECT_TRUE(same.places.empty());
   const auto larger = FindDifferences(*scene.indicators, [](const Vector & x) { return x.norm() < Radius + 0.3; });
   EXPECT_TRUE(larger.places.empty());
+  EXPECT_TRUE(larger.cancelling.empty());
 }
 
 TEST(TopologyDifferences, TellOfAPartThatIsExtra)

@@ -201,7 +201,9 @@ TopologySection(const mmm::MeshingReport & report)
   }
   section["differences"] = { { "number", report.topology.differences.size() },
                              { "unexplained", unexplained },
-                             { "places", DifferenceList(report.topology.differences) } };
+                             { "places", DifferenceList(report.topology.differences) },
+                             { "cancelling", report.topology.cancelling.size() },
+                             { "cancelling_at", PlaceList(report.topology.cancelling) } };
   return section;
 }
 
