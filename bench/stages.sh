@@ -19,7 +19,8 @@ print(f"{'total':34s} {sum(s['seconds'] for s in report['stages']):8.1f}")
 quality, counts = report["quality"], report["counts"]
 triangles, overall = quality["triangle_radius_ratio"], quality["overall"]
 below = overall["tetrahedra_below_deg"]
-print(f"triangles {counts['triangles']}, radius ratio {triangles['average']:.3f} (least {triangles['minimum']:.2g})")
+print(f"triangles {counts['triangles']}, radius ratio {triangles['average']:.3f}, "
+      f"1 %: {triangles['first_percentile']:.3f} (least {triangles['minimum']:.2g})")
 print(f"tetrahedra {counts['tetrahedra']}, radius ratio {overall['radius_ratio']['average']:.3f} "
       f"(least {overall['radius_ratio']['minimum']:.2g}); "
       f"below 5, 10, 15 degrees: {below['5']}, {below['10']}, {below['15']}")

@@ -19,6 +19,7 @@
 #define mmmMeshQuality_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "mmmDistribution.h"
 #include "mmmMeshTopology.h"
 #include "mmmTetrahedronQuality.h"
 
@@ -39,14 +40,6 @@ struct MeshQualityOptions
   double duplicateTolerance{ 1e-9 };
   /** Betti numbers add about a third to the time. */
   bool computeBettiNumbers{ false };
-};
-
-/** All are 0 without values. The percentile is interpolated linearly between the values next to it. */
-struct Distribution
-{
-  double average{ 0.0 };
-  double minimum{ 0.0 };
-  double firstPercentile{ 0.0 };
 };
 
 struct TetrahedronStatistics

@@ -96,34 +96,6 @@ DistinctLabels(const std::vector<int> & labels)
   return distinct;
 }
 
-/** Average, minimum and first percentile. Reorders the values. */
-Distribution
-Summarize(double * begin, double * end)
-{
-  Distribution      result;
-  const std::size_t count = end - begin;
-  if (count == 0)
-  {
-    return result;
-  }
-  double sum = 0.0;
-  for (auto value = begin; value != end; ++value)
-  {
-    sum += *value;
-  }
-  result.average = sum / double(count);
-  const double rank = 0.01 * double(count - 1);
-  const auto   below = begin + std::size_t(rank);
-  std::nth_element(begin, below, end);
-  result.minimum = *std::min_element(begin, below + 1);
-  result.firstPercentile = *below;
-  if (below + 1 != end)
-  {
-    result.firstPercentile += (*std::min_element(below + 1, end) - *below) * (rank - std::floor(rank));
-  }
-  return result;
-}
-
 /** Adds what can be added; the distributions are left alone. */
 void
 Add(TetrahedronStatistics & sum, const TetrahedronStatistics & part)

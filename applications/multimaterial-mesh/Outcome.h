@@ -20,7 +20,6 @@
 
 #include "LabelCheck.h"
 #include "MeshFilter.h"
-#include "SurfaceQuality.h"
 #include "mmmMeshQuality.h"
 
 #include <vector>
@@ -40,7 +39,7 @@ struct Outcome
   itk::LabelParticleMesh::Pointer    particles;
   itk::LabelJunctionMesh::Pointer    junctions;
   mmm::MeshQualityReport             quality;
-  SurfaceQuality                     surfaceQuality;
+  mmm::Distribution                  surfaceQuality;
   std::vector<mmm::StageRecord>      stages;
 };
 } // namespace cli

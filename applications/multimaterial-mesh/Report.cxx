@@ -371,8 +371,7 @@ QualitySection(const Outcome & outcome)
 {
   const mmm::MeshQualityReport & quality = outcome.quality;
   Json                           section;
-  section["triangle_radius_ratio"] = { { "average", Number(outcome.surfaceQuality.average) },
-                                       { "minimum", Number(outcome.surfaceQuality.minimum) } };
+  section["triangle_radius_ratio"] = ToJson(outcome.surfaceQuality);
   if (outcome.settings.surfaceOnly)
   {
     return section;

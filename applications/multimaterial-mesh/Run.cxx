@@ -27,6 +27,7 @@
 #include "Report.h"
 #include "StageClock.h"
 #include "Summary.h"
+#include "SurfaceQuality.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
 #include "mmmSizingOptions.h"
 

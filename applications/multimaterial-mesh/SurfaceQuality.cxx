@@ -19,32 +19,29 @@
 
 #include "mmmTetrahedronQuality.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace cli
 {
-SurfaceQuality
+mmm::Distribution
 ComputeSurfaceQuality(const itk::LabelInterfaceMesh & surface)
 {
-  SurfaceQuality quality;
-  const auto     count = surface.GetNumberOfCells();
-  if (count == 0)
+  if (surface.GetNumberOfCells() == 0)
   {
-    return quality;
+    return {};
   }
   const auto & points = *surface.GetPoints();
   const auto   corner = [&](const auto & triangle, int c) {
     const auto & point = points.ElementAt(triangle.GetPointIds()[c]);
     return mmm::Vector(point[0], point[1], point[2]);
   };
-  quality.minimum = 1.0;
+  std::vector<double> ratios;
+  ratios.reserve(surface.GetNumberOfCells());
   for (auto cell = surface.GetCells()->Begin(); cell != surface.GetCells()->End(); ++cell)
   {
     const auto & triangle = *cell.Value();
-    const double ratio = mmm::TriangleRadiusRatio(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
-    quality.average += ratio / double(count);
-    quality.minimum = std::min(quality.minimum, ratio);
+    ratios.push_back(mmm::TriangleRadiusRatio(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)));
   }
-  return quality;
+  return mmm::Summarize(ratios.data(), ratios.data() + ratios.size());
 }
 } // namespace cli

@@ -19,17 +19,12 @@
 #define SurfaceQuality_h
 
 #include "itkMultiMaterialMeshTypes.h"
+#include "mmmDistribution.h"
 
 namespace cli
 {
-/** Of the radius ratios of the triangles; 0 without triangles. */
-struct SurfaceQuality
-{
-  double average{ 0.0 };
-  double minimum{ 0.0 };
-};
-
-SurfaceQuality
+/** Of the radius ratios of the triangles. */
+mmm::Distribution
 ComputeSurfaceQuality(const itk::LabelInterfaceMesh & surface);
 } // namespace cli
 

@@ -193,6 +193,19 @@ TEST_F(CommandLineOutput, ReportHasTheCountsOfTheFiles)
   }
 }
 
+TEST_F(CommandLineOutput, ReportTellsTheQualityOfTriangles)
+{
+  this->Mesh({ "--report", this->Path("report.json") });
+  const auto   quality = this->Report()["quality"]["triangle_radius_ratio"];
+  const double average = quality["average"];
+  const double percentile = quality["first_percentile"];
+  const double minimum = quality["minimum"];
+  EXPECT_GT(minimum, 0.3);
+  EXPECT_GT(percentile, minimum);
+  EXPECT_GT(average, percentile);
+  EXPECT_LT(average, 1.0);
+}
+
 TEST_F(CommandLineOutput, ReportTellsInputAndParameters)
 {
   const auto image = MakeBalls();

@@ -1,0 +1,38 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmDistribution_h
+#define mmmDistribution_h
+
+#include "MultiMaterialMeshingExport.h"
+
+namespace mmm
+{
+/** All are 0 without values. The percentile is interpolated linearly between the values next to it. */
+struct Distribution
+{
+  double average{ 0.0 };
+  double minimum{ 0.0 };
+  double firstPercentile{ 0.0 };
+};
+
+/** Of the values from `begin` up to `end`, which it reorders. */
+MultiMaterialMeshing_EXPORT Distribution
+Summarize(double * begin, double * end);
+} // namespace mmm
+
+#endif
