@@ -55,10 +55,8 @@ constexpr std::size_t MostSamplesToGrow = 2000;
 /** There are no more of these rounds where the places that differ have more than this share of the samples that are
  * kept: that is noise, which particles do not follow. */
 constexpr double ShareOfNoise = 0.05;
-/** In each of these rounds the distance is smaller by this factor, down to this one: what is smaller gets flat
- * elements. */
+/** In each of these rounds the distance is smaller by this factor: an eighth of a voxel in the last one. */
 constexpr double MendingShrinkage = 0.75;
-constexpr double SmallestMendingSize = 0.1;
 /** After each round, parts that it missed are sampled more finely: at this distance, in units of the smallest voxel
  * spacing, which grows around them at this rate and has met the usual sizes at this distance. */
 constexpr double RecoverySize = 0.5;
@@ -330,7 +328,7 @@ private:
     std::size_t added = 0;
     for (; round < m_MendingRounds && added == 0 && !differing.empty(); ++round)
     {
-      const double distance = std::max(SmallestMendingSize, RecoverySize * std::pow(MendingShrinkage, round));
+      const double distance = RecoverySize * std::pow(MendingShrinkage, round);
       const int    reach = differing.size() > MostSamplesToGrow ? 0 : std::max(0, round + 1 - MendingRoundsInPlace);
       added = this->SampleFinely(this->Around(differing, reach), distance);
     }
