@@ -278,6 +278,7 @@ try
                                { "relaxation of 1-cells", 0.01 },
                                { "relaxation of 2-cells", 0.11 },
                                { "surface", 0.19 },
+                               { "topology", 0.02 },
                                { "seeding of the interior", 0.01 },
                                { "relaxation of the interior", 0.08 },
                                { "constrained tetrahedralization", 0.07 },

@@ -68,7 +68,7 @@ struct LinkReport
   std::vector<MeshingPlace> left;
 };
 
-/** What became of the particles of one dimension. */
+/** What became of the particles, and of the surface. */
 struct MeshingReport
 {
   /** What was expected before the work began. */

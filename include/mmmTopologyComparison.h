@@ -63,8 +63,8 @@ struct TopologyReport
 class MultiMaterialMeshing_EXPORT TopologyComparison
 {
 public:
-  /** What is of `exterior` in a mesh is not looked at; there may be nothing instead. `samplesPerVoxel` is along each
-   * axis, 2 or 4. */
+  /** The indicators have to stay. What is of `exterior` in a mesh is not looked at; there may be nothing instead.
+   * `samplesPerVoxel` is along each axis, 2 or 4. */
   TopologyComparison(const IndicatorSet & indicators, Material exterior, int samplesPerVoxel);
 
   const SampleLattice &

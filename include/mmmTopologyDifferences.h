@@ -45,7 +45,8 @@ struct TopologyDifference
 struct TopologyDifferences
 {
   std::vector<TopologyDifference> places;
-  /** Where differences side by side cancel out: that may be a component and a tunnel more, or nothing. */
+  /** Where differences side by side cancel out: that may be a component and a tunnel more, or nothing. The changes of
+   * all materials there are 0. */
   std::vector<TopologyDifference> cancelling;
   /** What the partition has more where it is sampled finely enough to see that the mesh is right, by material. */
   std::vector<EulerChange> betweenSamples;
@@ -59,7 +60,9 @@ class CharacteristicsComparison;
  * of their common faces, edges and corners, with alternating signs, add up to that of the material. Nearly all of them
  * are the same in the mesh and in the partition. Those that are not are sorted into parts that touch: where only the
  * interface is a little off, the differences of a part add up to nothing. The others are the places where the topology
- * is another one, and they add up to the whole difference of the characteristics.
+ * is another one, and they add up to the whole difference of the characteristics. Parts that cancel out are told of if
+ * they consist of smaller ones that do not, of cells each of which bounds the next; where even these cancel out, a
+ * component and a tunnel next to each other are not seen.
  *
  * A sheet that is thinner than the distance of the samples has holes in the partition that the indicators do not have.
  * So these places are looked at more closely, see FineSamples, and do not count where that makes the difference go

@@ -46,6 +46,7 @@ constexpr int SurfaceRounds = 5;
 constexpr int SurfaceSweeps = 2;
 /** Where it need not be kept, places with more samples than this stay as they are: the sizes do not resolve them. */
 constexpr std::size_t LargestPlace = 80;
+constexpr std::size_t AnyNumber = std::size_t(-1);
 /** Triangulations after the sweeps that add such particles where the topology is to be kept, at most. */
 constexpr int MendingRounds = 6;
 /** After this number of them, particles are also added further around, by one sample more each time. */
@@ -246,14 +247,9 @@ public:
     }
   }
 
-  TopologyReport
-  CompareTopology()
-  {
-    return m_Topology.Compare(m_Particles.positions, m_Labelled);
-  }
-
+  /** The interfaces, and how they came about. */
   InterfaceMesh
-  Finish(MeshingReport & report)
+  Describe(MeshingReport & report)
   {
     report.residualsOfParticles = MeasureResiduals(m_Indicators, m_Particles);
     m_Repair.left = FindLinkDefects(m_Labelled, *m_Adjacency, m_Exterior);
@@ -261,12 +257,13 @@ public:
     DescribeLinks(m_Repair, m_Particles, report.links);
     InterfaceMesh interfaces = this->Interfaces();
     report.inconsistentTriangles = FindInconsistentTriangles(m_Indicators, m_Particles, interfaces, m_Exterior);
-    report.unusedParticles = DropUnusedParticles(m_Particles, interfaces);
-    for (std::size_t p = 0; p < m_Particles.Size(); ++p)
-    {
-      ++report.particles[m_Particles.CellOf(p).Dimension()];
-    }
     return interfaces;
+  }
+
+  TopologyReport
+  CompareTopology()
+  {
+    return m_Topology.Compare(m_Particles.positions, m_Labelled);
   }
 
 private:
@@ -301,7 +298,12 @@ private:
     if (isLast)
     {
       this->MendLinks();
-      differing = this->FindDifferingSamples();
+      const auto found = this->FindDifferences();
+      AddSamplesOf(found.places, m_MendingRounds > 0 ? AnyNumber : LargestPlace, differing);
+      if (m_MendingRounds > 0)
+      {
+        AddSamplesOf(found.cancelling, AnyNumber, differing);
+      }
     }
     RelaxOnSurface(m_Indicators, m_Sizing, interfaces, SurfaceSweeps, !isLast, m_Particles);
     MergeCloseParticles(m_Indicators, m_Sizing, m_Particles);
@@ -311,8 +313,9 @@ private:
     SortInSpace(m_Particles); // some have been added at the end
   }
 
-  /** Adds particles where the topology is not that of the partition, in later rounds more closely and further around.
-   * Rounds in which there is no room for one are left out. Returns whether there is another triangulation to make. */
+  /** Adds particles where the topology is not that of the partition, or differences cancel out, in later rounds more
+   * closely and further around. Rounds in which there is no room for one are left out. Returns whether there is another
+   * triangulation to make. */
   bool
   Mend(int & round)
   {
@@ -320,17 +323,26 @@ private:
     {
       return false;
     }
-    const auto differing = this->FindDifferingSamples();
-    if (double(differing.size()) > ShareOfNoise * double(m_Topology.GetLattice().NumberOfKept()))
+    const auto         found = this->FindDifferences();
+    std::vector<Index> samples;
+    AddSamplesOf(found.places, AnyNumber, samples);
+    if (double(samples.size()) > ShareOfNoise * double(m_Topology.GetLattice().NumberOfKept()))
     {
       return false;
     }
+    const bool isFew = samples.size() <= MostSamplesToGrow;
+    AddSamplesOf(found.cancelling, AnyNumber, samples);
     std::size_t added = 0;
-    for (; round < m_MendingRounds && added == 0 && !differing.empty(); ++round)
+    for (; round < m_MendingRounds && added == 0 && !samples.empty(); ++round)
     {
-      const double distance = RecoverySize * std::pow(MendingShrinkage, round);
-      const int    reach = differing.size() > MostSamplesToGrow ? 0 : std::max(0, round + 1 - MendingRoundsInPlace);
-      added = this->SampleFinely(this->Around(differing, reach), distance);
+      const double             distance = RecoverySize * std::pow(MendingShrinkage, round);
+      const int                reach = isFew ? std::max(0, round + 1 - MendingRoundsInPlace) : 0;
+      const std::vector<float> sizes = m_Sizes;
+      added = this->SampleFinely(this->Around(samples, reach), distance);
+      if (added == 0)
+      {
+        m_Sizes = sizes; // nothing follows the new ones
+      }
     }
     return added > 0;
   }
@@ -350,28 +362,25 @@ private:
     return around;
   }
 
-  /** The samples where the topology of the tetrahedra is not that of the partition. */
-  std::vector<Index>
-  FindDifferingSamples()
+  /** Where the topology of the tetrahedra is not that of the partition. */
+  TopologyDifferences
+  FindDifferences()
   {
-    std::vector<Index> samples;
-    const auto         differences = m_Topology.FindDifferences(m_Particles.positions, m_Labelled);
-    const auto         add = [&samples](const TopologyDifference & place) {
-      samples.insert(samples.end(), place.samples.begin(), place.samples.end());
-    };
-    for (const auto & place : differences.places)
+    return m_Topology.FindDifferences(m_Particles.positions, m_Labelled);
+  }
+
+  /** Adds the samples of places, if they do not have more than `most`. */
+  static void
+  AddSamplesOf(const std::vector<TopologyDifference> & places, std::size_t most, std::vector<Index> & samples)
+  {
+    for (const auto & place : places)
     {
-      if (m_MendingRounds > 0 || place.samples.size() <= LargestPlace)
+      if (place.samples.size() <= most)
       {
-        add(place);
+        samples.insert(samples.end(), place.samples.begin(), place.samples.end());
       }
     }
-    if (m_MendingRounds > 0)
-    {
-      std::for_each(differences.cancelling.begin(), differences.cancelling.end(), add);
-    }
     MakeUnique(samples);
-    return samples;
   }
 
   /** Adds particles around samples, at a distance. Returns how many. */
@@ -414,6 +423,7 @@ BuildSurface(const IndicatorSet &      indicators,
 {
   SurfaceBuilder builder(indicators, sizing, parameters, sizes, particles);
   builder.Build(monitor);
+  InterfaceMesh interfaces = builder.Describe(report);
   if (parameters.compareTopology)
   {
     // no later stage changes it, or else it is compared again
@@ -421,6 +431,11 @@ BuildSurface(const IndicatorSet &      indicators,
     monitor.BeginStage("topology");
     report.topology = builder.CompareTopology();
   }
-  return builder.Finish(report);
+  report.unusedParticles = DropUnusedParticles(particles, interfaces);
+  for (std::size_t p = 0; p < particles.Size(); ++p)
+  {
+    ++report.particles[particles.CellOf(p).Dimension()];
+  }
+  return interfaces;
 }
 } // namespace mmm

@@ -27,7 +27,8 @@ namespace mmm
  * Rounds of labelled Delaunay tetrahedralization and of relaxation of the particles on the triangles between the
  * materials; parts that a round missed are sampled more finely, for which `sizes`, the values of `sizing`, become
  * smaller there. Links are mended, see RepairLinks(). Where the topology is not that of the indicators, particles are
- * added, too; with `keepTopology` in more rounds, and looking more closely. */
+ * added, too; with `keepTopology` in more rounds, and looking more closely. With `compareTopology`, what is left of
+ * that goes to the report, in a stage "topology" of its own. */
 InterfaceMesh
 BuildSurface(const IndicatorSet &      indicators,
              const SizingField &       sizing,

@@ -61,6 +61,10 @@ TopologyComparison::Compare(const std::vector<Vector> & points, const Tetrahedra
   for (const auto & place : differences.cancelling)
   {
     report.cancelling.push_back(Describe(place).place);
+    for (const auto & change : place.changes)
+    {
+      hasPlace[change.material] = 1;
+    }
   }
   for (const auto & place : differences.places)
   {
