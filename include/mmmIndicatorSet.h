@@ -64,6 +64,9 @@ public:
   /** f_m and its gradient at a point. */
   double
   ValueAndGradient(Material m, const Vector & x, Vector & gradient) const;
+  /** f_first - f_last at a point, for materials that are no planes. */
+  double
+  Difference(Material first, Material last, const Vector & x) const;
   /** The signed distance to a plane, positive outside the box. */
   double
   PlaneValue(Material plane, const Vector & x) const;

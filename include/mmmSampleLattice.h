@@ -83,7 +83,7 @@ public:
   Vector
   Position(const Index & sample) const
   {
-    return m_Origin + m_Step.cwiseProduct(Vector(sample[0], sample[1], sample[2]));
+    return this->Position(Vector(sample[0], sample[1], sample[2]));
   }
 
   /** Of all axes together. */
@@ -123,11 +123,20 @@ public:
   /** The material between samples: the coordinates are in samples. What is beyond the box is `exterior`. */
   Material
   MaterialAt(const Vector & sample, Material exterior) const;
+  /** The material where those of two places, `first` and `last`, are equally large between them, or where the line
+   * between the places leaves the box: a third one if there is a sheet of it, however thin. */
+  Material
+  MaterialBetween(const Vector & begin, const Vector & end, Material first, Material last) const;
   /** The argmax partition of the indicators; what is beyond the box is `exterior`. */
   SampledMaterials
   SamplePartition(Material exterior) const;
 
 private:
+  Vector
+  Position(const Vector & sample) const
+  {
+    return m_Origin + m_Step.cwiseProduct(sample);
+  }
   /** Some of the last samples are. */
   bool
   IsBeyondBox(const Vector & x) const

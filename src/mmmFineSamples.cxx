@@ -27,9 +27,6 @@ namespace mmm
 {
 namespace
 {
-/** Sheets down to this power of a half of the distance of two samples are found between them. */
-constexpr int Bisections = 16;
-
 /** In steps of the subdivision. */
 Grid
 GridOf(const BlockComplex & complex, const IndexBox & blocks, int subdivision)
@@ -80,7 +77,7 @@ FineSamples::SeparateByThinSheets(const SampleLattice & lattice)
       if (other > own)
       {
         const Material found =
-          this->MaterialBetween(lattice, this->SamplePosition(at), this->SamplePosition(neighbour), own, other);
+          lattice.MaterialBetween(this->SamplePosition(at), this->SamplePosition(neighbour), own, other);
         const bool isSeparated = found != own && found != other;
         (isSeparated ? separated : touching).push_back(other);
         between = isSeparated && between == own ? found : between;
@@ -95,23 +92,6 @@ FineSamples::SeparateByThinSheets(const SampleLattice & lattice)
       m_Separated[m_Grid.Offset(at)] = between;
     }
   });
-}
-
-Material
-FineSamples::MaterialBetween(const SampleLattice & lattice, Vector begin, Vector end, Material first, Material last)
-  const
-{
-  for (int bisection = 0; bisection < Bisections; ++bisection)
-  {
-    const Vector   middle = 0.5 * (begin + end);
-    const Material material = lattice.MaterialAt(middle, m_Exterior);
-    if (material != first && material != last)
-    {
-      return material;
-    }
-    (material == first ? begin : end) = middle;
-  }
-  return first;
 }
 
 Vector

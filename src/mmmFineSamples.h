@@ -54,9 +54,6 @@ private:
   /** Gives samples in front of thin sheets to the sheets. */
   void
   SeparateByThinSheets(const SampleLattice & lattice);
-  /** A third material between two, or else one of them. */
-  Material
-  MaterialBetween(const SampleLattice & lattice, Vector begin, Vector end, Material first, Material last) const;
   /** Adds the characteristics of those samples of a cell that are some steps apart. */
   void
   AddAt(const Index & cell, const std::vector<Material> & samples, int step, int sign, EulerChanges & changes) const;

@@ -329,6 +329,13 @@ IndicatorSet::ValueAndGradient(Material m, const Vector & x, Vector & gradient) 
 }
 
 double
+IndicatorSet::Difference(Material first, Material last, const Vector & x) const
+{
+  const Stencil stencil = this->StencilAt(x);
+  return this->Evaluate(first, stencil) - this->Evaluate(last, stencil);
+}
+
+double
 IndicatorSet::PlaneValue(Material plane, const Vector & x) const
 {
   const auto number = plane - m_Indicators.size();

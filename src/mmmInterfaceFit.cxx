@@ -161,7 +161,7 @@ private:
   {
     const Cell & cell = m_Cells[p];
     const auto   gapAt = [&](const Vector & x) {
-      return 0.5 * (m_Indicators.Value(cell.materials[0], x) - m_Indicators.Value(cell.materials[1], x));
+      return 0.5 * m_Indicators.Difference(cell.materials[0], cell.materials[1], x);
     };
     double sum = 0.0;
     double areas = 0.0;

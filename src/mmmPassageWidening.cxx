@@ -250,7 +250,7 @@ private:
     {
       return false;
     }
-    const double lead = m_Indicators.Value(own, x) - m_Indicators.Value(weak.second, x);
+    const double lead = m_Indicators.Difference(own, weak.second, x);
     balance = {
       this->NodesAround(x), lead > 0.0 ? own : weak.second, lead > 0.0 ? weak.second : own, float(std::abs(lead))
     };

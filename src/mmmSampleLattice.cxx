@@ -19,6 +19,9 @@
 
 #include "mmmParallel.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mmm
 {
 namespace
@@ -48,6 +51,59 @@ IsUniform(const Grid & grid, const std::vector<Material> & materials, const Inde
     }
   }
   return true;
+}
+
+/** Where a line from a, which is in the box, to b, which is beyond upper faces, leaves the box. */
+Vector
+CutAtBox(const Grid & grid, const Vector & a, const Vector & b)
+{
+  const Vector upper(grid.UpperFace(0), grid.UpperFace(1), grid.UpperFace(2));
+  double       share = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (b[axis] > upper[axis])
+    {
+      share = std::min(share, (upper[axis] - a[axis]) / (b[axis] - a[axis]));
+    }
+  }
+  return (a + share * (b - a)).cwiseMin(upper);
+}
+
+/** Where the indicators of two materials are equal between a, at which the first one is larger, and b: by the method of
+ * false position, where an end that stays counts half (the Illinois algorithm). */
+Vector
+PlaceOfEquality(const IndicatorSet & indicators, Material first, Material last, Vector a, Vector b)
+{
+  constexpr int    MostSteps = 16;
+  constexpr double Accuracy = 1e-5;
+  double           atA = indicators.Difference(first, last, a);
+  double           atB = indicators.Difference(first, last, b);
+  int              side = 0;
+  Vector           x = a;
+  for (int step = 0; step < MostSteps && atA > atB; ++step)
+  {
+    x = a + atA / (atA - atB) * (b - a);
+    const double atX = indicators.Difference(first, last, x);
+    if (std::abs(atX) < Accuracy)
+    {
+      break;
+    }
+    if (atX > 0.0)
+    {
+      a = x;
+      atA = atX;
+      atB *= side > 0 ? 0.5 : 1.0;
+      side = 1;
+    }
+    else
+    {
+      b = x;
+      atB = atX;
+      atA *= side < 0 ? 0.5 : 1.0;
+      side = -1;
+    }
+  }
+  return x;
 }
 } // namespace
 
@@ -127,8 +183,19 @@ SampleLattice::IsDecidedByNodes(const Index & sample) const
 Material
 SampleLattice::MaterialAt(const Vector & sample, Material exterior) const
 {
-  const Vector x = m_Origin + m_Step.cwiseProduct(sample);
+  const Vector x = this->Position(sample);
   return this->IsBeyondBox(x) ? exterior : m_Indicators.MaterialAt(x);
+}
+
+Material
+SampleLattice::MaterialBetween(const Vector & begin, const Vector & end, Material first, Material last) const
+{
+  const Vector a = this->Position(begin);
+  const Vector b = this->Position(end);
+  const Grid & grid = m_Indicators.GetGrid();
+  return m_Indicators.MaterialAt(this->IsBeyondBox(a)   ? CutAtBox(grid, b, a)
+                                 : this->IsBeyondBox(b) ? CutAtBox(grid, a, b)
+                                                        : PlaceOfEquality(m_Indicators, first, last, a, b));
 }
 
 SampledMaterials

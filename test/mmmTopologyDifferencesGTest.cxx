@@ -376,6 +376,39 @@ TEST_P(ThinSheet, IsNoDifference)
 
 INSTANTIATE_TEST_SUITE_P(TopologyDifferences, ThinSheet, testing::Values(0.06, 0.002));
 
+TEST(SampleLattice, FindsASheetBetweenTwoPlacesWhereverItIsBetweenThem)
+{
+  const ThinSheetScene     scene(0.0001);
+  const mmm::SampleLattice lattice(scene.indicators, 4);
+  const double             middle = 4 * Centre()[2];
+  for (const double share : { 0.1, 0.3, 0.5, 0.9 })
+  {
+    const Vector below(middle, middle, middle + 0.5 - share);
+    const Vector above = below + Vector::UnitZ();
+    EXPECT_EQ(lattice.MaterialBetween(below, above, 1, 0), 2) << share;
+    EXPECT_EQ(lattice.MaterialBetween(above, below, 0, 1), 2) << share;
+  }
+}
+
+TEST(SampleLattice, FindsOneOfTwoMaterialsWhereNoSheetIsBetweenThem)
+{
+  const ThinSheetScene     scene(-0.1);
+  const mmm::SampleLattice lattice(scene.indicators, 4);
+  const double             middle = 4 * Centre()[2];
+  EXPECT_LT(lattice.MaterialBetween(Vector::Constant(middle), Vector::Constant(middle + 1.0), 1, 0), 2);
+}
+
+TEST(SampleLattice, FindsTheMaterialAtTheBoxBetweenAPlaceWithinAndOneBeyond)
+{
+  const ThinSheetScene     scene(0.1);
+  const mmm::SampleLattice lattice(scene.indicators, 4);
+  const double             face = 4 * (Size - 0.5);
+  // away from the middle the sheet is thick
+  const Vector inSheet(face - 0.5, 2 * Size, 2 * Size);
+  EXPECT_EQ(lattice.MaterialBetween(inSheet, inSheet + Vector::UnitX(), 2, Exterior), 2);
+  EXPECT_EQ(lattice.MaterialBetween(inSheet + Vector::UnitX(), inSheet, Exterior, 2), 2);
+}
+
 TEST(TopologyDifferences, StayWhereAThinSheetHasAHole)
 {
   // of a radius of 0.15, where samples are 0.25 apart
