@@ -1,24 +1,36 @@
 #!/usr/bin/env bash
 # Copyright NumFOCUS. Licensed under the Apache License, Version 2.0 (see LICENSE).
-# Random label images through the whole pipeline, each seed in a process of its own; prints the seeds that fail, and how.
+# Random label images through the whole pipeline, each seed in a process of its own, one for each core at a time; prints
+# the seeds that fail, those that end in an exception, and how long the slowest ones took.
 #   test/fuzz.sh FIRST LAST          BUILD_DIR is where the tests were built
 set -euo pipefail
 [ $# -eq 2 ] || { echo "usage: $0 FIRST LAST" >&2; exit 2; }
 project=$(cd "$(dirname "$0")/.." && pwd)
-driver=${BUILD_DIR:-$project/build}/bin/MultiMaterialMeshingGTestDriver
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-failures=0
-exceptions=0
-for ((seed = $1; seed <= $2; ++seed)); do
-  if ! MMM_TEST_SEEDS="$seed $seed" "$driver" --gtest_filter='*RandomImages*' >"$log" 2>&1; then
-    failures=$((failures + 1))
-    echo "seed $seed:"
-    grep -v '^\[' "$log" | head -n 20
+export driver=${BUILD_DIR:-$project/build}/bin/MultiMaterialMeshingGTestDriver
+[ -x "$driver" ] || { echo "$0: no $driver: build the tests first" >&2; exit 2; }
+results=$(mktemp -d)
+export results
+trap 'rm -rf "$results"' EXIT
+
+run_seed() {
+  local seed=$1 log=$results/$1.log status=0 begin=$EPOCHREALTIME
+  ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS=1 MMM_TEST_SEEDS="$seed $seed" \
+    "$driver" --gtest_filter='*RandomImages*' >"$log" 2>&1 || status=$?
+  awk -v begin="$begin" -v end="$EPOCHREALTIME" -v seed="$seed" \
+    'BEGIN { printf "%.1f s: seed %d\n", end - begin, seed }' >>"$results/times"
+  if [ "$status" -ne 0 ]; then
+    { echo "seed $seed fails:"; grep -v '^\[' "$log" | head -n 20; } | tee -a "$results/failures"
   elif grep -q '^exception:' "$log"; then
-    exceptions=$((exceptions + 1))
-    echo "seed $seed, $(grep '^exception:' "$log" | tr '\n' ' ' | cut -c 1-300)"
+    echo "seed $seed, $(grep '^exception:' "$log" | tr '\n' ' ' | cut -c 1-300)" | tee -a "$results/exceptions"
   fi
-done
-echo "seeds: $(($2 - $1 + 1)), failures: $failures, exceptions: $exceptions"
+  rm "$log"
+}
+export -f run_seed
+
+seq "$1" "$2" | xargs -P "$(nproc)" -I SEED bash -c 'run_seed SEED'
+touch "$results/failures" "$results/exceptions"
+failures=$(grep -c '^seed .* fails:$' "$results/failures" || true)
+echo "slowest:"
+sort -rn "$results/times" | head -n 5
+echo "seeds: $(($2 - $1 + 1)), failures: $failures, exceptions: $(wc -l <"$results/exceptions")"
 [ "$failures" -eq 0 ]
