@@ -19,6 +19,7 @@
 
 #include "mmmConformingDelaunay.h"
 #include "mmmEnclosure.h"
+#include "mmmFreedMemory.h"
 #include "mmmIndicatorConstraint.h"
 #include "mmmInterfaceFit.h"
 #include "mmmInteriorParticles.h"
@@ -225,6 +226,7 @@ BuildMesh(const IndicatorSet &      indicators,
   }
 
   monitor.BeginStage("constrained tetrahedralization");
+  ReturnFreedMemory(); // TetGen needs most of all stages
   const auto corners = EnclosingCorners(indicators.GetGrid());
   result.points.insert(result.points.end(), corners.begin(), corners.end());
   const std::size_t numberOfFixedPoints = result.points.size();
