@@ -19,17 +19,19 @@ run_seed() {
   awk -v begin="$begin" -v end="$EPOCHREALTIME" -v seed="$seed" \
     'BEGIN { printf "%.1f s: seed %d\n", end - begin, seed }' >>"$results/times"
   if [ "$status" -ne 0 ]; then
-    { echo "seed $seed fails:"; grep -v '^\[' "$log" | head -n 20; } | tee -a "$results/failures"
+    echo "$seed" >>"$results/failures"
+    printf '%s\n' "seed $seed:" "$(grep -v '^\[' "$log" | head -n 20)"
   elif grep -q '^exception:' "$log"; then
-    echo "seed $seed, $(grep '^exception:' "$log" | tr '\n' ' ' | cut -c 1-300)" | tee -a "$results/exceptions"
+    echo "$seed" >>"$results/exceptions"
+    echo "seed $seed, $(grep '^exception:' "$log" | tr '\n' ' ' | cut -c 1-300)"
   fi
   rm "$log"
 }
 export -f run_seed
 
+touch "$results"/{times,failures,exceptions}
 seq "$1" "$2" | xargs -P "$(nproc)" -I SEED bash -c 'run_seed SEED'
-touch "$results/failures" "$results/exceptions"
-failures=$(grep -c '^seed .* fails:$' "$results/failures" || true)
+failures=$(wc -l <"$results/failures")
 echo "slowest:"
 sort -rn "$results/times" | head -n 5
 echo "seeds: $(($2 - $1 + 1)), failures: $failures, exceptions: $(wc -l <"$results/exceptions")"
