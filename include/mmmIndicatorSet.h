@@ -64,7 +64,7 @@ public:
   /** f_m and its gradient at a point. */
   double
   ValueAndGradient(Material m, const Vector & x, Vector & gradient) const;
-  /** f_first - f_last at a point, for materials that are no planes. */
+  /** Value(first, x) - Value(last, x), for less. */
   double
   Difference(Material first, Material last, const Vector & x) const;
   /** The signed distance to a plane, positive outside the box. */

@@ -107,6 +107,6 @@ IndicatorConstraint::DistanceToInterface(Material a, Material b, const Vector & 
       return 1e30;
     }
   }
-  return 0.5 * std::abs(m_Indicators.Value(a, x) - m_Indicators.Value(b, x));
+  return 0.5 * std::abs(m_Indicators.Difference(a, b, x));
 }
 } // namespace mmm

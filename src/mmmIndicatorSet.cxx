@@ -331,6 +331,10 @@ IndicatorSet::ValueAndGradient(Material m, const Vector & x, Vector & gradient) 
 double
 IndicatorSet::Difference(Material first, Material last, const Vector & x) const
 {
+  if (this->IsPlane(first) || this->IsPlane(last))
+  {
+    return this->Value(first, x) - this->Value(last, x);
+  }
   const Stencil stencil = this->StencilAt(x);
   return this->Evaluate(first, stencil) - this->Evaluate(last, stencil);
 }

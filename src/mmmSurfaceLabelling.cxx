@@ -116,7 +116,7 @@ private:
     }
     // the normal points from the first material to the second
     const Vector normal = m_Indicators.Normal(Cell{ m_Common[0], m_Common[1] }, x);
-    const double height = 0.5 * (m_Indicators.Value(m_Common[1], x) - m_Indicators.Value(m_Common[0], x));
+    const double height = 0.5 * m_Indicators.Difference(m_Common[1], m_Common[0], x);
     side = m_Common[normal.dot(centre - x) + height > 0.0];
     return true;
   }

@@ -70,7 +70,7 @@ public:
   IsNear(Material a, Material b, double distance) const
   {
     return std::all_of(std::begin(m_Samples), std::end(m_Samples), [&](const Vector & x) {
-      return 0.5 * std::abs(m_Indicators.Value(a, x) - m_Indicators.Value(b, x)) < distance;
+      return 0.5 * std::abs(m_Indicators.Difference(a, b, x)) < distance;
     });
   }
 
