@@ -18,7 +18,7 @@
 // Prints how close indicators, local feature sizes and gradient limiting come to what is known of digitized solids.
 // Lengths are in voxels. The numbers that come of random offsets and rotations are the same in every run.
 
-#include "mmmTestMeasures.h"
+#include "support/TestMeasures.h"
 
 #include <cstdio>
 #include <string>

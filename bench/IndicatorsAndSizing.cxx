@@ -19,7 +19,7 @@
 
 #include "itkIndicatorImagesToSizingImageFilter.h"
 #include "itkLabelImageToIndicatorImagesFilter.h"
-#include "mmmPeakMemory.h"
+#include "base/PeakMemory.h"
 
 #include "itkImageFileReader.h"
 

@@ -18,7 +18,7 @@
 #ifndef itkHeadPhantomImageSource_h
 #define itkHeadPhantomImageSource_h
 
-#include "mmmITKCompatibility.h"
+#include "itk/ITKCompatibility.h"
 
 #include "itkImageSource.h"
 

@@ -18,7 +18,7 @@
 #ifndef itkHeadPhantomImageSource_hxx
 #define itkHeadPhantomImageSource_hxx
 
-#include "mmmHeadPhantom.h"
+#include "phantom/HeadPhantom.h"
 
 #include "itkImageScanlineIterator.h"
 #include "itkTotalProgressReporter.h"

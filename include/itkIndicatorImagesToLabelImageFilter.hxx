@@ -18,8 +18,8 @@
 #ifndef itkIndicatorImagesToLabelImageFilter_hxx
 #define itkIndicatorImagesToLabelImageFilter_hxx
 
-#include "mmmFunctionIndicators.h"
-#include "mmmGridGeometry.h"
+#include "indicators/FunctionIndicators.h"
+#include "itk/GridGeometry.h"
 
 #include "itkPrintHelper.h"
 

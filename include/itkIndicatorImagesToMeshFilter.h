@@ -19,11 +19,11 @@
 #define itkIndicatorImagesToMeshFilter_h
 
 #include "itkMultiMaterialMeshTypes.h"
-#include "mmmFilterMonitor.h"
-#include "mmmGridGeometry.h"
-#include "mmmITKCompatibility.h"
-#include "mmmInterfaceLabels.h"
-#include "mmmMesher.h"
+#include "itk/FilterMonitor.h"
+#include "itk/GridGeometry.h"
+#include "itk/ITKCompatibility.h"
+#include "itk/InterfaceLabels.h"
+#include "pipeline/Mesher.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

@@ -18,11 +18,11 @@
 #ifndef itkIndicatorImagesToMeshFilter_hxx
 #define itkIndicatorImagesToMeshFilter_hxx
 
-#include "mmmIndicatorImages.h"
-#include "mmmMeshConversion.h"
-#include "mmmOutOfMemory.h"
-#include "mmmReportTranslation.h"
-#include "mmmSizingImage.h"
+#include "itk/IndicatorImages.h"
+#include "itk/MeshConversion.h"
+#include "base/OutOfMemory.h"
+#include "itk/ReportTranslation.h"
+#include "itk/SizingImage.h"
 
 #include "itkLineCell.h"
 #include "itkPrintHelper.h"

@@ -18,8 +18,8 @@
 #ifndef itkIndicatorImagesToSizingImageFilter_h
 #define itkIndicatorImagesToSizingImageFilter_h
 
-#include "mmmITKCompatibility.h"
-#include "mmmSizingOptions.h"
+#include "itk/ITKCompatibility.h"
+#include "itk/SizingOptions.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

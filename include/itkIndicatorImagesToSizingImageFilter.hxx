@@ -18,10 +18,10 @@
 #ifndef itkIndicatorImagesToSizingImageFilter_hxx
 #define itkIndicatorImagesToSizingImageFilter_hxx
 
-#include "mmmFilterMonitor.h"
-#include "mmmIndicatorImages.h"
-#include "mmmOutOfMemory.h"
-#include "mmmSizingImage.h"
+#include "itk/FilterMonitor.h"
+#include "itk/IndicatorImages.h"
+#include "base/OutOfMemory.h"
+#include "itk/SizingImage.h"
 
 #include "itkPrintHelper.h"
 

@@ -18,7 +18,7 @@
 #ifndef itkIndicatorImagesToTetrahedralMeshFilter_hxx
 #define itkIndicatorImagesToTetrahedralMeshFilter_hxx
 
-#include "mmmFunctionIndicators.h"
+#include "indicators/FunctionIndicators.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,9 +18,9 @@
 #ifndef itkLabelImageToIndicatorImagesFilter_h
 #define itkLabelImageToIndicatorImagesFilter_h
 
-#include "mmmFilterMonitor.h"
-#include "mmmIndicatorSmoothing.h"
-#include "mmmITKCompatibility.h"
+#include "itk/FilterMonitor.h"
+#include "indicators/IndicatorSmoothing.h"
+#include "itk/ITKCompatibility.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

@@ -18,11 +18,11 @@
 #ifndef itkLabelImageToIndicatorImagesFilter_hxx
 #define itkLabelImageToIndicatorImagesFilter_hxx
 
-#include "mmmGridGeometry.h"
-#include "mmmLabels.h"
-#include "mmmOutOfMemory.h"
-#include "mmmPassageWidening.h"
-#include "mmmVolumeCorrection.h"
+#include "itk/GridGeometry.h"
+#include "itk/Labels.h"
+#include "base/OutOfMemory.h"
+#include "indicators/PassageWidening.h"
+#include "indicators/VolumeCorrection.h"
 
 #include "itkPrintHelper.h"
 

@@ -20,12 +20,12 @@
 
 #include "itkIndicatorImagesToMeshFilter.h"
 #include "itkMultiMaterialMeshTypes.h"
-#include "mmmFilterMonitor.h"
-#include "mmmIslandRecord.h"
-#include "mmmITKCompatibility.h"
-#include "mmmLabels.h"
-#include "mmmMesher.h"
-#include "mmmSizingOptions.h"
+#include "itk/FilterMonitor.h"
+#include "image/IslandRecord.h"
+#include "itk/ITKCompatibility.h"
+#include "itk/Labels.h"
+#include "pipeline/Mesher.h"
+#include "itk/SizingOptions.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

@@ -18,8 +18,8 @@
 #ifndef itkMergeLabelIslandsImageFilter_h
 #define itkMergeLabelIslandsImageFilter_h
 
-#include "mmmIslandRecord.h"
-#include "mmmITKCompatibility.h"
+#include "image/IslandRecord.h"
+#include "itk/ITKCompatibility.h"
 
 #include "itkConceptChecking.h"
 #include "itkImageToImageFilter.h"

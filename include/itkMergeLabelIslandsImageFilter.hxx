@@ -18,8 +18,8 @@
 #ifndef itkMergeLabelIslandsImageFilter_hxx
 #define itkMergeLabelIslandsImageFilter_hxx
 
-#include "mmmIslands.h"
-#include "mmmLabels.h"
+#include "image/Islands.h"
+#include "itk/Labels.h"
 
 #include "itkConnectedComponentFunctorImageFilter.h"
 #include "itkPrintHelper.h"

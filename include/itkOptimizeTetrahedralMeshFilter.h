@@ -20,8 +20,8 @@
 
 #include "itkMeshToMeshFilter.h"
 #include "itkMultiMaterialMeshTypes.h"
-#include "mmmFilterMonitor.h"
-#include "mmmMeshImprovement.h"
+#include "itk/FilterMonitor.h"
+#include "optimize/MeshImprovement.h"
 
 #include <limits>
 

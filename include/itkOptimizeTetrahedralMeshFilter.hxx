@@ -18,9 +18,9 @@
 #ifndef itkOptimizeTetrahedralMeshFilter_hxx
 #define itkOptimizeTetrahedralMeshFilter_hxx
 
-#include "mmmMeshConversion.h"
-#include "mmmOutOfMemory.h"
-#include "mmmTetrahedraOfMesh.h"
+#include "itk/MeshConversion.h"
+#include "base/OutOfMemory.h"
+#include "itk/TetrahedraOfMesh.h"
 
 #include "itkTetrahedronCell.h"
 

@@ -21,7 +21,7 @@
 #include "itkNumericTraits.h"
 #include "itkObject.h"
 #include "itkObjectFactory.h"
-#include "mmmMeshQuality.h"
+#include "quality/MeshQuality.h"
 
 namespace itk
 {

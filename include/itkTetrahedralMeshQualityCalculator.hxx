@@ -18,7 +18,7 @@
 #ifndef itkTetrahedralMeshQualityCalculator_hxx
 #define itkTetrahedralMeshQualityCalculator_hxx
 
-#include "mmmTetrahedraOfMesh.h"
+#include "itk/TetrahedraOfMesh.h"
 
 #include <stdexcept>
 

@@ -20,11 +20,11 @@
 
 // SWIG has included Python.h.
 
-#include "mmmIslandRecord.h"
-#include "mmmMeshQuality.h"
-#include "mmmMesher.h"
-#include "mmmSizeRule.h"
-#include "mmmStageRecord.h"
+#include "image/IslandRecord.h"
+#include "quality/MeshQuality.h"
+#include "pipeline/Mesher.h"
+#include "sizing/SizeRule.h"
+#include "base/StageRecord.h"
 
 #include <array>
 #include <cstddef>

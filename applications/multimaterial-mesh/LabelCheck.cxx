@@ -18,7 +18,7 @@
 #include "LabelCheck.h"
 
 #include "Errors.h"
-#include "mmmIntensityCheck.h"
+#include "itk/IntensityCheck.h"
 
 #include <algorithm>
 #include <sstream>

@@ -20,7 +20,7 @@
 
 #include "LabelCheck.h"
 #include "MeshFilter.h"
-#include "mmmMeshQuality.h"
+#include "quality/MeshQuality.h"
 
 #include <vector>
 

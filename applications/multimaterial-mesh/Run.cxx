@@ -29,7 +29,7 @@
 #include "Summary.h"
 #include "SurfaceQuality.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
-#include "mmmSizingOptions.h"
+#include "itk/SizingOptions.h"
 
 #include <algorithm>
 #include <iostream>

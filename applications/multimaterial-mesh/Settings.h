@@ -18,7 +18,7 @@
 #ifndef Settings_h
 #define Settings_h
 
-#include "mmmSizeRule.h"
+#include "sizing/SizeRule.h"
 
 #include <algorithm>
 #include <cstdint>

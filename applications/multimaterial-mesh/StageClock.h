@@ -20,8 +20,8 @@
 
 #include "Interruption.h"
 #include "ProgressDisplay.h"
-#include "mmmPeakMemory.h"
-#include "mmmStageRecord.h"
+#include "base/PeakMemory.h"
+#include "base/StageRecord.h"
 
 #include <chrono>
 #include <string>

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "SurfaceQuality.h"
 
-#include "mmmTetrahedronQuality.h"
+#include "mesh/TetrahedronQuality.h"
 
 #include <vector>
 

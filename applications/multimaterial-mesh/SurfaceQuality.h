@@ -19,7 +19,7 @@
 #define SurfaceQuality_h
 
 #include "itkMultiMaterialMeshTypes.h"
-#include "mmmDistribution.h"
+#include "quality/Distribution.h"
 
 namespace cli
 {

@@ -18,7 +18,7 @@
 #include "Warnings.h"
 
 #include "Errors.h"
-#include "mmmITKCompatibility.h"
+#include "itk/ITKCompatibility.h"
 
 #include "itkOutputWindow.h"
 

@@ -23,8 +23,8 @@
 #include "itkMeditMeshIO.h"
 #include "itkOptimizeTetrahedralMeshFilter.h"
 #include "itkVTUMeshIO.h"
-#include "mmmMeshQuality.h"
-#include "mmmTetrahedraOfMesh.h"
+#include "quality/MeshQuality.h"
+#include "itk/TetrahedraOfMesh.h"
 
 #include "itkMeshFileReader.h"
 #include "itkMeshFileWriter.h"

@@ -21,7 +21,7 @@
 
 #include "itkMultiMaterialMeshTypes.h"
 #include "itkVTUMeshIO.h"
-#include "mmmTetrahedraOfMesh.h"
+#include "itk/TetrahedraOfMesh.h"
 
 #include "itkMeshFileReader.h"
 

@@ -20,8 +20,8 @@
 
 #include "itkMultiMaterialMeshTypes.h"
 #include "itkVTUMeshIO.h"
-#include "mmmInterfaceMesh.h"
-#include "mmmMeshConversion.h"
+#include "mesh/InterfaceMesh.h"
+#include "itk/MeshConversion.h"
 
 #include "itkMeshFileReader.h"
 #include "itkMeshFileWriter.h"

@@ -1,0 +1,116 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "indicators/IndicatorRaises.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+namespace
+{
+/** By how much a node's material leads at least. */
+constexpr float NodeLead = 0.3f;
+
+/** Keeps the largest gain and the largest loss of each material at a node. */
+void
+KeepLargest(std::vector<Raise> & raises)
+{
+  std::sort(raises.begin(), raises.end(), [](const Raise & a, const Raise & b) {
+    return a.node != b.node           ? a.node < b.node
+           : a.material != b.material ? a.material < b.material
+           : a.IsLoss() != b.IsLoss() ? b.IsLoss()
+                                      : std::abs(a.amount) > std::abs(b.amount);
+  });
+  const auto isSame = [](const Raise & a, const Raise & b) {
+    return a.node == b.node && a.material == b.material && a.IsLoss() == b.IsLoss();
+  };
+  raises.erase(std::unique(raises.begin(), raises.end(), isSame), raises.end());
+}
+
+/** Null where a node is beyond a block. */
+float *
+ValueAt(Block<float> & block, const Index & node)
+{
+  Index at;
+  for (int a = 0; a < 3; ++a)
+  {
+    at[a] = node[a] - block.lower[a];
+    if (at[a] < 0 || at[a] >= block.size[a])
+    {
+      return nullptr;
+    }
+  }
+  return &block.values[(std::size_t(at[2]) * block.size[1] + at[1]) * block.size[0] + at[0]];
+}
+
+/** By how much a node's material leads another one or, if that is the same, everybody. */
+float
+LeadAtNode(const IndicatorSet &        indicators,
+           std::vector<Block<float>> & blocks,
+           Material                    own,
+           Material                    other,
+           const Index &               node)
+{
+  const auto range = indicators.Candidates(indicators.GetGrid().Position(node));
+  float      largest = -1e30f;
+  for (auto m = range.first; m != range.second; ++m)
+  {
+    const float * value = *m != own && (*m == other || other == own) ? ValueAt(blocks[*m], node) : nullptr;
+    largest = value ? std::max(largest, *value) : largest;
+  }
+  return *ValueAt(blocks[own], node) - largest;
+}
+
+/** Whether a node or one of its 26 neighbours is of a material. */
+bool
+IsNear(const IndicatorSet & indicators, Material material, const Index & node)
+{
+  const Grid & grid = indicators.GetGrid();
+  bool         found = false;
+  IndexBox{ grid.Clamp({ { node[0] - 1, node[1] - 1, node[2] - 1 } }),
+            grid.Clamp({ { node[0] + 1, node[1] + 1, node[2] + 1 } }) }
+    .Visit([&](const Index & other) { found = found || indicators.MaterialAtNode(grid.Offset(other)) == material; });
+  return found;
+}
+} // namespace
+
+void
+ApplyRaises(const IndicatorSet & indicators, std::vector<Raise> & raises, std::vector<Block<float>> & blocks)
+{
+  KeepLargest(raises);
+  for (const Raise & raise : raises)
+  {
+    const Index    node = indicators.GetGrid().IndexAt(raise.node);
+    const Material own = indicators.MaterialAtNode(raise.node);
+    float * const  value = ValueAt(blocks[raise.material], node);
+    // further away, a material could get to others that none of its voxels touches
+    if (value == nullptr || (!raise.IsLoss() && !IsNear(indicators, raise.material, node)))
+    {
+      continue;
+    }
+    float amount = raise.amount;
+    if ((own == raise.material) == raise.IsLoss())
+    {
+      const float spare = std::max(0.0f, LeadAtNode(indicators, blocks, own, raise.material, node) - NodeLead);
+      amount = std::min(std::max(amount, -spare), spare);
+    }
+    *value += amount;
+  }
+}
+} // namespace mmm

@@ -1,0 +1,201 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "io/CellMesh.h"
+#include "io/vtu/VTUFormat.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <type_traits>
+
+namespace mmm
+{
+namespace
+{
+std::uint8_t
+FindShape(std::int64_t itkType, std::size_t corners)
+{
+  const auto shape = std::find_if(std::begin(CellShapes), std::end(CellShapes), [&](const CellShape & candidate) {
+    return static_cast<std::int64_t>(candidate.itkType) == itkType && candidate.corners == corners;
+  });
+  if (shape == std::end(CellShapes))
+  {
+    throw MeshFileError("has the ITK cell type " + std::to_string(itkType) + " and " + std::to_string(corners) +
+                        " points; such cells cannot be written");
+  }
+  return static_cast<std::uint8_t>(shape - std::begin(CellShapes));
+}
+
+template <typename T>
+void
+SetCellsOf(CellMesh & mesh, const T * values, std::size_t bufferSize, std::size_t numberOfCells)
+{
+  const T * const end = values + bufferSize;
+  for (std::size_t i = 0; i < numberOfCells; ++i)
+  {
+    const auto fail = [i](const std::string & what) {
+      throw MeshFileError("its cell " + std::to_string(i) + ' ' + what);
+    };
+    if (end - values < 2 || static_cast<std::size_t>(values[1]) > static_cast<std::size_t>(end - values - 2))
+    {
+      fail("is not complete in its cell buffer");
+    }
+    const auto itkType = static_cast<std::int64_t>(*values++);
+    const auto corners = static_cast<std::size_t>(*values++);
+    try
+    {
+      mesh.shapes.push_back(FindShape(itkType, corners));
+    }
+    catch (const MeshFileError & error)
+    {
+      fail(error.what());
+    }
+    // Negative ones become too large and are found by CheckCorners().
+    std::transform(values, values + corners, std::back_inserter(mesh.corners), [](T corner) {
+      return static_cast<std::uint64_t>(corner);
+    });
+    values += corners;
+  }
+  if (values != end)
+  {
+    throw MeshFileError("its cell buffer has more than its cells");
+  }
+}
+} // namespace
+
+void
+CheckCorners(const CellMesh & mesh)
+{
+  const auto * corner = mesh.corners.data();
+  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
+  {
+    for (std::size_t k = 0; k < mesh.ShapeOf(i).corners; ++k, ++corner)
+    {
+      if (*corner >= mesh.NumberOfPoints())
+      {
+        throw MeshFileError("its cell " + std::to_string(i) + " refers to a point that is not one of its " +
+                            std::to_string(mesh.NumberOfPoints()));
+      }
+    }
+  }
+}
+
+std::vector<std::size_t>
+CornerBegins(const CellMesh & mesh)
+{
+  std::vector<std::size_t> begins(mesh.shapes.size());
+  for (std::size_t i = 0, begin = 0; i < begins.size(); begin += mesh.ShapeOf(i).corners, ++i)
+  {
+    begins[i] = begin;
+  }
+  return begins;
+}
+
+void
+SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys)
+{
+  if (std::is_sorted(keys.begin(), keys.end()))
+  {
+    return;
+  }
+  std::vector<std::size_t> order(keys.size());
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  const auto     begins = CornerBegins(mesh);
+  const CellMesh unsorted = mesh;
+  auto           corner = mesh.corners.begin();
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    mesh.shapes[i] = unsorted.shapes[order[i]];
+    mesh.tags[i] = unsorted.tags[order[i]];
+    corner = std::copy_n(unsorted.corners.begin() + begins[order[i]], mesh.ShapeOf(i).corners, corner);
+  }
+}
+
+void
+SetPoints(CellMesh &           mesh,
+          const void *         buffer,
+          itk::IOComponentEnum type,
+          std::size_t          numberOfPoints,
+          unsigned int         dimension)
+{
+  if (dimension < 1 || dimension > 3)
+  {
+    throw MeshFileError("its points have " + std::to_string(dimension) + " coordinates; such files have three");
+  }
+  mesh.points.assign(3 * numberOfPoints, 0.0);
+  VisitComponentType(type, [&](auto zero) {
+    using T = decltype(zero);
+    const auto * values = static_cast<const T *>(buffer);
+    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    {
+      for (unsigned int axis = 0; axis < dimension; ++axis)
+      {
+        mesh.points[3 * i + axis] = static_cast<double>(*values++);
+      }
+    }
+  });
+}
+
+void
+SetCells(CellMesh &           mesh,
+         const void *         buffer,
+         itk::IOComponentEnum type,
+         std::size_t          bufferSize,
+         std::size_t          numberOfCells)
+{
+  VisitComponentType(type, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_integral_v<T>)
+    {
+      SetCellsOf(mesh, static_cast<const T *>(buffer), bufferSize, numberOfCells);
+    }
+    else
+    {
+      throw MeshFileError("its cells have point identifiers that are not integers");
+    }
+  });
+}
+
+std::vector<itk::IdentifierType>
+MakeCellBuffer(const CellMesh & mesh)
+{
+  std::vector<itk::IdentifierType> buffer;
+  buffer.reserve(2 * mesh.shapes.size() + mesh.corners.size());
+  auto corner = mesh.corners.begin();
+  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
+  {
+    const CellShape & shape = mesh.ShapeOf(i);
+    buffer.push_back(static_cast<itk::IdentifierType>(shape.itkType));
+    buffer.push_back(shape.corners);
+    buffer.insert(buffer.end(), corner, corner + shape.corners);
+    corner += shape.corners;
+  }
+  return buffer;
+}
+
+void
+TurnLPSAndRAS(CellMesh & mesh)
+{
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3)
+  {
+    mesh.points[i] = -mesh.points[i];
+    mesh.points[i + 1] = -mesh.points[i + 1];
+  }
+}
+} // namespace mmm

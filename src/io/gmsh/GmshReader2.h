@@ -1,0 +1,47 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmGmshReader2_h
+#define mmmGmshReader2_h
+
+#include "io/gmsh/GmshReader.h"
+
+namespace mmm
+{
+/** \brief The sections of version 2.2. */
+class GmshReader2 : public GmshReader
+{
+public:
+  GmshReader2(FileCursor & cursor, CellMesh & mesh)
+    : GmshReader(cursor, mesh)
+  {}
+
+protected:
+  void
+  ReadEntities() override;
+  void
+  ReadNodes() override;
+  void
+  ReadElements() override;
+
+private:
+  void
+  ReadElement(std::uint8_t shape, int numberOfTags);
+};
+} // namespace mmm
+
+#endif

@@ -1,0 +1,84 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "io/gmsh/GmshWriter.h"
+#include "io/FileComposer.h"
+#include "io/gmsh/GmshWriter2.h"
+#include "io/gmsh/GmshWriter4.h"
+
+#include <algorithm>
+#include <set>
+
+namespace mmm
+{
+namespace
+{
+/** Those of the groups that the mesh has. */
+void
+WritePhysicalNames(FileComposer & file, const CellMesh & mesh)
+{
+  std::set<Group> used;
+  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
+  {
+    used.insert(mesh.GroupOf(i));
+  }
+  std::string names;
+  std::size_t count = 0;
+  for (const auto & [group, name] : mesh.names)
+  {
+    if (used.count(group) > 0 && group.second != 0)
+    {
+      std::string text = name;
+      std::replace_if(text.begin(), text.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, ' ');
+      names += std::to_string(group.first) + ' ' + std::to_string(group.second) + " \"" + text + "\"\n";
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    file.Text("$PhysicalNames\n" + std::to_string(count) + '\n' + names + "$EndPhysicalNames\n");
+  }
+}
+} // namespace
+
+void
+WriteGmsh(const std::string & fileName, const CellMesh & mesh, const GmshFormat & format)
+{
+  FileComposer file(fileName, format.isBinary);
+  file.Text("$MeshFormat\n" + std::string(format.isVersion2 ? "2.2 " : "4.1 ") + (format.isBinary ? "1 8\n" : "0 8\n"));
+  if (format.isBinary)
+  {
+    // tells the order of bytes
+    file.Int(1);
+    file.EndNumbers();
+  }
+  file.Text("$EndMeshFormat\n");
+  if (format.hasNames)
+  {
+    WritePhysicalNames(file, mesh);
+  }
+  if (format.isVersion2)
+  {
+    WriteGmshSections2(file, mesh, format.isBinary);
+  }
+  else
+  {
+    WriteGmshSections4(file, mesh);
+  }
+  file.Commit();
+}
+} // namespace mmm

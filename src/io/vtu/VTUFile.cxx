@@ -1,0 +1,91 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "io/vtu/VTUFile.h"
+#include "io/AtomicFile.h"
+#include "io/vtu/VTUFormat.h"
+
+#include "itkByteSwapper.h"
+
+namespace mmm
+{
+namespace
+{
+void
+CheckCounts(const VTUContent & content)
+{
+  if (!content.pointData.empty() && content.numberOfPointPixels != content.numberOfPoints)
+  {
+    throw VTUError("it has data of " + std::to_string(content.numberOfPointPixels) + " points, but " +
+                   std::to_string(content.numberOfPoints) + " points");
+  }
+  if (!content.cellData.empty() && content.numberOfCellPixels != content.numberOfCells)
+  {
+    throw VTUError("it has data of " + std::to_string(content.numberOfCellPixels) + " cells, but " +
+                   std::to_string(content.numberOfCells) + " cells");
+  }
+}
+
+std::string
+DataTag(const std::string & tag, const std::string & scalars)
+{
+  return "      <" + tag + (scalars.empty() ? "" : " Scalars=\"" + EscapeXML(scalars) + '"') + ">\n";
+}
+
+std::string
+OpeningTags(const VTUContent & content)
+{
+  const std::string byteOrder = itk::ByteSwapper<int>::SystemIsBigEndian() ? "BigEndian" : "LittleEndian";
+  const std::string compressor =
+    content.encoding == VTUEncoding::CompressedBase64 ? " compressor=\"vtkZLibDataCompressor\"" : "";
+  // The character codes of LPS, zero-terminated.
+  const std::string space = "    <FieldData>\n"
+                            "      <Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">\n"
+                            "        76 80 83 0\n"
+                            "      </Array>\n"
+                            "    </FieldData>\n";
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"" + byteOrder +
+         "\" header_type=\"UInt64\"" + compressor + ">\n  <UnstructuredGrid>\n" + (content.hasSpace ? space : "") +
+         "    <Piece NumberOfPoints=\"" + std::to_string(content.numberOfPoints) + "\" NumberOfCells=\"" +
+         std::to_string(content.numberOfCells) + "\">\n";
+}
+} // namespace
+
+void
+WriteVTUFile(const std::string & fileName, const VTUContent & content)
+{
+  CheckCounts(content);
+  AtomicFile file(fileName);
+  file.Write(OpeningTags(content) + DataTag("PointData", content.pointScalars));
+  file.Write(content.pointData);
+  file.Write("      </PointData>\n" + DataTag("CellData", content.cellScalars));
+  file.Write(content.cellData);
+  file.Write("      </CellData>\n"
+             "      <Points>\n");
+  file.Write(content.points);
+  file.Write("      </Points>\n"
+             "      <Cells>\n");
+  file.Write(VTUArrayElement("Int64", "connectivity", 1, content.encoding, content.cells.connectivity));
+  file.Write(VTUArrayElement("Int64", "offsets", 1, content.encoding, content.cells.offsets));
+  file.Write(VTUArrayElement("UInt8", "types", 1, content.encoding, content.cells.types));
+  file.Write("      </Cells>\n"
+             "    </Piece>\n"
+             "  </UnstructuredGrid>\n"
+             "</VTKFile>\n");
+  file.Commit();
+}
+} // namespace mmm

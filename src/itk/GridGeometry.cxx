@@ -1,0 +1,139 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itk/GridGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mmm
+{
+namespace
+{
+constexpr double Resolution = 1e6; // parts of the grid's unit
+
+double
+Rounded(double length)
+{
+  return std::round(length * Resolution) / Resolution;
+}
+} // namespace
+
+GridGeometry::GridGeometry(const ImageType * image, const RegionType & region)
+  : m_Image(ImageType::New())
+  , m_Region(region)
+{
+  m_Image->CopyInformation(image);
+  const auto & spacing = image->GetSpacing();
+  m_Unit = std::min({ spacing[0], spacing[1], spacing[2] });
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    m_Grid.size[axis] = static_cast<int>(region.GetSize(axis));
+    m_Grid.spacing[axis] = Rounded(spacing[axis] / m_Unit);
+  }
+}
+
+double
+GridGeometry::ToGridUnit(double length) const
+{
+  const double relative = length / m_Unit;
+  if (!std::isfinite(relative))
+  {
+    return relative;
+  }
+  return relative > 0.0 ? std::max(Rounded(relative), 1.0 / Resolution) : Rounded(relative);
+}
+
+GridGeometry::PointType
+GridGeometry::ToPhysicalPoint(const Vector & x) const
+{
+  itk::ContinuousIndex<double, 3> index;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    index[axis] = static_cast<double>(m_Region.GetIndex(axis)) + x[axis] / m_Grid.spacing[axis];
+  }
+  PointType point;
+  m_Image->TransformContinuousIndexToPhysicalPoint(index, point);
+  return point;
+}
+
+bool
+GridGeometry::IsReflected() const
+{
+  const auto &    direction = m_Image->GetDirection();
+  Eigen::Matrix3d matrix;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = 0; column < 3; ++column)
+    {
+      matrix(row, column) = direction[row][column];
+    }
+  }
+  return matrix.determinant() < 0.0;
+}
+
+void
+GridGeometry::SetGridGeometry(const Grid & grid, ImageType * image)
+{
+  RegionType             region;
+  ImageType::SpacingType spacing;
+  ImageType::PointType   origin;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    region.SetSize(axis, static_cast<itk::SizeValueType>(grid.size[axis]));
+    spacing[axis] = grid.spacing[axis];
+    origin[axis] = 0.0;
+  }
+  ImageType::DirectionType direction;
+  direction.SetIdentity();
+  image->SetRegions(region);
+  image->SetSpacing(spacing);
+  image->SetOrigin(origin);
+  image->SetDirection(direction);
+}
+
+itk::ImageRegion<3>
+UnionOfRegions(const std::vector<const itk::ImageBase<3> *> & images)
+{
+  auto lower = images.front()->GetLargestPossibleRegion().GetIndex();
+  auto upper = images.front()->GetLargestPossibleRegion().GetUpperIndex();
+  for (const auto * image : images)
+  {
+    const auto & region = image->GetLargestPossibleRegion();
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = std::min(lower[axis], region.GetIndex(axis));
+      upper[axis] = std::max(upper[axis], region.GetUpperIndex()[axis]);
+    }
+  }
+  itk::ImageRegion<3> whole;
+  whole.SetIndex(lower);
+  whole.SetUpperIndex(upper);
+  return whole;
+}
+
+bool
+HaveSameGeometry(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
+{
+  // files in single precision, such as NIfTI, are to match
+  constexpr double tolerance = 1e-4;
+  const double     lengthTolerance = tolerance * std::abs(a->GetSpacing()[0]);
+  return a->GetOrigin().GetVnlVector().is_equal(b->GetOrigin().GetVnlVector(), lengthTolerance) &&
+         a->GetSpacing().GetVnlVector().is_equal(b->GetSpacing().GetVnlVector(), lengthTolerance) &&
+         a->GetDirection().GetVnlMatrix().as_ref().is_equal(b->GetDirection().GetVnlMatrix().as_ref(), tolerance);
+}
+} // namespace mmm

@@ -1,0 +1,71 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmIntensityCheck_h
+#define mmmIntensityCheck_h
+
+#include "itk/Labels.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace mmm
+{
+/** What makes an image look like one of intensities, as a text that goes after "the image "; empty for a label image.
+ * Too many values do, or many that change from voxel to voxel. `counts` are those of the image. */
+template <typename TImage>
+std::string
+DescribeIntensities(const TImage * image, const LabelCounts & counts)
+{
+  // No atlas in use has so many labels.
+  constexpr std::size_t maximumLabels = 1000;
+  // Fewer values than these are a label image, however noisy.
+  constexpr std::size_t minimumIntensities = 33;
+  // Half of the neighbours on a row differ in an intensity image; one in ten do in a fine atlas.
+  constexpr double maximumChangeRate = 0.5;
+
+  if (counts.size() < minimumIntensities)
+  {
+    return {};
+  }
+  const auto background =
+    std::max_element(counts.begin(), counts.end(), [](const auto & a, const auto & b) { return a.second < b.second; });
+  // neighbours along the buffer, but for those in the background
+  std::size_t pairs = 0;
+  std::size_t changes = 0;
+  int         last = background->first;
+  ForEachRun(image, [&](int label, std::size_t count) {
+    const bool isChange = label != last;
+    const bool isBackground = label == background->first;
+    pairs += (isChange || !isBackground) + (isBackground ? 0 : count - 1);
+    changes += isChange;
+    last = label;
+  });
+  if (counts.size() <= maximumLabels && static_cast<double>(changes) <= maximumChangeRate * static_cast<double>(pairs))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "has " << counts.size() << " values, from " << counts.begin()->first << " to " << counts.rbegin()->first
+       << ", and looks like an intensity image; segment it first, or map its values to at most " << maximumLabels
+       << " labels";
+  return text.str();
+}
+} // namespace mmm
+
+#endif

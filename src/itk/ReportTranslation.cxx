@@ -1,0 +1,61 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itk/ReportTranslation.h"
+
+namespace mmm
+{
+namespace
+{
+void
+Translate(const GridGeometry & geometry, MeshingPlace & place)
+{
+  const auto point = geometry.ToPhysicalPoint(place.position);
+  place.position = Vector(point[0], point[1], point[2]);
+}
+
+void
+Translate(const GridGeometry & geometry, const InterfaceLabels & labels, std::vector<MeshingPlace> & places)
+{
+  for (MeshingPlace & place : places)
+  {
+    Translate(geometry, place);
+    place.labels = labels.OfMaterials(place.labels);
+  }
+}
+} // namespace
+
+void
+TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, MeshingReport & report)
+{
+  Translate(geometry, labels, report.links.left);
+  Translate(geometry, labels, report.inconsistentTriangles);
+  Translate(geometry, labels, report.topology.cancelling);
+  for (TopologyPlace & difference : report.topology.differences)
+  {
+    Translate(geometry, difference.place);
+    for (int & label : difference.place.labels)
+    {
+      label = labels.OfMaterial(Material(label)); // not in order of the labels: each has its change
+    }
+  }
+  for (LabelTopology & topology : report.topology.labels)
+  {
+    topology.label = labels.OfMaterial(Material(topology.label));
+  }
+}
+} // namespace mmm

@@ -1,0 +1,32 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmReportTranslation_h
+#define mmmReportTranslation_h
+
+#include "itk/GridGeometry.h"
+#include "itk/InterfaceLabels.h"
+#include "pipeline/Mesher.h"
+
+namespace mmm
+{
+/** Puts labels in the place of materials and physical points in that of positions in the frame of Grid. */
+MultiMaterialMeshing_EXPORT void
+TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, MeshingReport & report);
+} // namespace mmm
+
+#endif

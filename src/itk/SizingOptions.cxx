@@ -1,0 +1,149 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itk/SizingOptions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace mmm
+{
+namespace
+{
+/** No tetrahedron of the mesh is larger than this part of the cube of the size that was asked for. */
+constexpr double LargestVolume = 0.6;
+
+std::string
+DescribeRuleErrors(const SizingOptions & options)
+{
+  for (const auto & entry : options.labelSizes)
+  {
+    const std::string error = DescribeError(entry.second, "label " + std::to_string(entry.first));
+    if (!error.empty())
+    {
+      return error;
+    }
+  }
+  if (options.hasRegion && !options.region.IsGiven())
+  {
+    return "The region of interest has no smallest or largest size.";
+  }
+  if (!options.hasRegion && options.region.IsGiven())
+  {
+    return "There are sizes for the region of interest, but no image of that region.";
+  }
+  return DescribeError(options.region, "the region of interest");
+}
+
+/** Conversions between units change sizes by less than this. */
+constexpr double Rounding = 1.0 + 1e-5;
+} // namespace
+
+double
+SizeOfVolume(double volume)
+{
+  return std::cbrt(volume / LargestVolume);
+}
+
+std::string
+DescribeError(const SizingOptions & options)
+{
+  const struct
+  {
+    const char * name;
+    double       value;
+    const char * unit;
+    bool         mayBeAutomatic;
+    bool         mayBeInfinite;
+  } checks[] = { { "epsilon", options.epsilon, "", false, false },
+                 { "chord tolerance", options.chordTolerance, " mm", true, false },
+                 { "gradient limit", options.gradientLimit, "", false, false },
+                 { "smallest size", options.minimumSize, " mm", true, false },
+                 { "largest size", options.maximumSize, " mm", false, true },
+                 { "largest volume", options.maximumVolume, " mm^3", false, true } };
+
+  std::ostringstream words;
+  for (const auto & check : checks)
+  {
+    if (check.mayBeAutomatic && std::isnan(check.value))
+    {
+      continue;
+    }
+    if (!(check.value > 0.0) || (std::isinf(check.value) && !check.mayBeInfinite))
+    {
+      words << "The " << check.name << " is " << check.value << check.unit << ". It must be positive"
+            << (check.mayBeInfinite ? "." : " and finite.");
+      return words.str();
+    }
+  }
+  if (options.minimumSize > options.maximumSize)
+  {
+    words << "The smallest size, " << options.minimumSize << " mm, is above the largest, " << options.maximumSize
+          << " mm.";
+    return words.str();
+  }
+  if (options.minimumSize > Rounding * SizeOfVolume(options.maximumVolume))
+  {
+    words << "Tetrahedra of at most " << options.maximumVolume << " mm^3 need edges of at most "
+          << SizeOfVolume(options.maximumVolume) << " mm, which is below the smallest size, " << options.minimumSize
+          << " mm.";
+    return words.str();
+  }
+  return DescribeRuleErrors(options);
+}
+
+SizeRule
+ToGridUnit(const SizeRule & rule, const GridGeometry & geometry)
+{
+  return { rule.factor, geometry.ToGridUnit(rule.minimumSize), geometry.ToGridUnit(rule.maximumSize) };
+}
+
+LabelSizeRules
+ToGridUnit(const LabelSizeRules & rules, const GridGeometry & geometry)
+{
+  LabelSizeRules converted;
+  for (const auto & entry : rules)
+  {
+    converted[entry.first] = ToGridUnit(entry.second, geometry);
+  }
+  return converted;
+}
+
+SizingParameters
+ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
+{
+  SizingParameters parameters;
+  parameters.epsilon = options.epsilon;
+  parameters.gradientLimit = options.gradientLimit;
+  if (!std::isnan(options.chordTolerance))
+  {
+    parameters.chordTolerance = geometry.ToGridUnit(options.chordTolerance);
+  }
+  if (std::isfinite(options.maximumSize))
+  {
+    parameters.maximumSize = geometry.ToGridUnit(options.maximumSize);
+  }
+  if (std::isfinite(options.maximumVolume))
+  {
+    parameters.sizeLimit = geometry.ToGridUnit(SizeOfVolume(options.maximumVolume));
+  }
+  parameters.minimumSize =
+    std::isnan(options.minimumSize) ? std::min(1.0, parameters.maximumSize) : geometry.ToGridUnit(options.minimumSize);
+  return parameters;
+}
+} // namespace mmm

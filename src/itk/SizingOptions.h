@@ -1,0 +1,68 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmSizingOptions_h
+#define mmmSizingOptions_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "itk/GridGeometry.h"
+#include "sizing/SizeRule.h"
+#include "sizing/Sizing.h"
+
+#include <limits>
+#include <string>
+
+namespace mmm
+{
+/** \brief The parameters of the sizing field as users give them: lengths in the image's unit, usually mm, or not a
+ * number where the smallest voxel spacing is to decide. */
+struct SizingOptions
+{
+  double epsilon{ 2.5 };
+  double chordTolerance{ std::numeric_limits<double>::quiet_NaN() };
+  double gradientLimit{ 0.5 };
+  double minimumSize{ std::numeric_limits<double>::quiet_NaN() };
+  double maximumSize{ std::numeric_limits<double>::infinity() };
+  /** The volume that no tetrahedron is to exceed, in the cube of the image's unit. */
+  double         maximumVolume{ std::numeric_limits<double>::infinity() };
+  LabelSizeRules labelSizes;
+  /** The bounds in the region of interest, and whether there is one. */
+  SizeRule region;
+  bool     hasRegion{ false };
+};
+
+/** The edge length that keeps tetrahedra below a volume. */
+MultiMaterialMeshing_EXPORT double
+SizeOfVolume(double volume);
+
+/** What is wrong with the options, in a sentence; empty if nothing is. */
+MultiMaterialMeshing_EXPORT std::string
+                            DescribeError(const SizingOptions & options);
+
+/** Rules in the grid's unit. */
+MultiMaterialMeshing_EXPORT SizeRule
+ToGridUnit(const SizeRule & rule, const GridGeometry & geometry);
+MultiMaterialMeshing_EXPORT LabelSizeRules
+ToGridUnit(const LabelSizeRules & rules, const GridGeometry & geometry);
+
+/** The general options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or
+ * the largest size, whichever is smaller. */
+MultiMaterialMeshing_EXPORT SizingParameters
+ToGridUnit(const SizingOptions & options, const GridGeometry & geometry);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,109 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "mesh/TetrahedronNeighbours.h"
+
+#include "base/Parallel.h"
+#include "mesh/TriangleLookup.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mmm
+{
+namespace
+{
+constexpr std::size_t Grain = 1024;
+
+/** A face by the two larger of its corners, and whose it is. */
+struct Face
+{
+  PointId       middle;
+  PointId       largest;
+  std::uint32_t tetrahedron;
+  int           number;
+
+  bool
+  operator<(const Face & other) const
+  {
+    return std::tie(middle, largest, tetrahedron) < std::tie(other.middle, other.largest, other.tetrahedron);
+  }
+  bool
+  HasCornersOf(const Face & other) const
+  {
+    return middle == other.middle && largest == other.largest;
+  }
+};
+
+/** The faces of a tetrahedron that have `smallest` as their smallest corner. */
+void
+AddFaces(const Tetrahedron & corners, std::uint32_t tetrahedron, PointId smallest, std::vector<Face> & faces)
+{
+  for (int f = 0; f < 4; ++f)
+  {
+    const Triangle face = SortedFaceOf(corners, f);
+    if (face[0] == smallest)
+    {
+      faces.push_back({ face[1], face[2], tetrahedron, f });
+    }
+  }
+}
+} // namespace
+
+TetrahedronNeighbours
+ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra)
+{
+  PointId points = 0;
+  for (const auto & t : tetrahedra)
+  {
+    points = std::max(points, *std::max_element(t.begin(), t.end()) + 1);
+  }
+  return ComputeTetrahedronNeighbours(tetrahedra, points, StarsOfPoints(tetrahedra, points));
+}
+
+TetrahedronNeighbours
+ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra, std::size_t points, const Incidence & stars)
+{
+  TetrahedronNeighbours neighbours(tetrahedra.size(),
+                                   { { NoTetrahedron, NoTetrahedron, NoTetrahedron, NoTetrahedron } });
+  // a face is paired with its twin at their smallest corner
+  ParallelFor(points, Grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Face> faces;
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      faces.clear();
+      for (auto t = stars.Begin(p); t != stars.End(p); ++t)
+      {
+        AddFaces(tetrahedra[*t], *t, PointId(p), faces);
+      }
+      std::sort(faces.begin(), faces.end());
+      for (std::size_t f = 1; f < faces.size(); ++f)
+      {
+        const Face & one = faces[f - 1];
+        const Face & twin = faces[f];
+        if (one.HasCornersOf(twin))
+        {
+          neighbours[one.tetrahedron][one.number] = twin.tetrahedron;
+          neighbours[twin.tetrahedron][twin.number] = one.tetrahedron;
+          ++f;
+        }
+      }
+    }
+  });
+  return neighbours;
+}
+} // namespace mmm

@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmInteriorParticles_h
+#define mmmInteriorParticles_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "particles/Particles.h"
+
+namespace mmm
+{
+/** Appends particles in the interior of the materials (3-cells), except `exterior`: random points,
+ * thinned by Poisson-disk in units of h against one another and against the particles on the interfaces. */
+MultiMaterialMeshing_EXPORT void
+SeedInteriorParticles(const IndicatorSet & indicators,
+                      const SizingField &  sizing,
+                      int                  exterior,
+                      std::uint64_t        seed,
+                      ParticleSet &        particles);
+} // namespace mmm
+
+#endif

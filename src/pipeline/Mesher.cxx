@@ -1,0 +1,280 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "pipeline/Mesher.h"
+
+#include "delaunay/ConformingDelaunay.h"
+#include "delaunay/Enclosure.h"
+#include "base/FreedMemory.h"
+#include "optimize/IndicatorConstraint.h"
+#include "optimize/InterfaceFit.h"
+#include "particles/InteriorParticles.h"
+#include "optimize/MeshOptimizer.h"
+#include "particles/SpatialOrder.h"
+#include "surface/SurfaceStage.h"
+#include "delaunay/TetGen.h"
+
+#include "itkMacro.h"
+
+#include <algorithm>
+
+namespace mmm
+{
+namespace
+{
+const char * const RelaxationNames[] = { "",
+                                         "relaxation of 1-cells",
+                                         "relaxation of 2-cells",
+                                         "relaxation of the interior" };
+
+/** Smoothing takes over what relaxation has not settled in the interior. */
+constexpr int InteriorSweeps = 12;
+
+/** Puts the points of the interfaces first, those of them that are particles before the others, and drops the points
+ * that no tetrahedron uses. Optimization may have collapsed particles and taken some off the interfaces. */
+void
+SortPoints(MeshingResult & result)
+{
+  enum Kind : std::uint8_t
+  {
+    Particle,
+    OnInterface,
+    Interior,
+    Unused
+  };
+  std::vector<std::uint8_t> kinds(result.points.size(), Unused);
+  for (const auto & t : result.tetrahedra.tetrahedra)
+  {
+    for (const auto corner : t)
+    {
+      kinds[corner] = Interior;
+    }
+  }
+  ParticleSet & particles = result.particles;
+  for (const auto & triangle : result.interfaces.triangles)
+  {
+    for (const auto corner : triangle)
+    {
+      kinds[corner] = corner < particles.Size() ? Particle : OnInterface;
+    }
+  }
+  std::vector<PointId> number(result.points.size(), 0);
+  std::vector<Vector>  points;
+  ParticleSet          kept;
+  kept.cellTable = particles.cellTable;
+  points.reserve(result.points.size());
+  for (const Kind kind : { Particle, OnInterface, Interior })
+  {
+    for (std::size_t p = 0; p < kinds.size(); ++p)
+    {
+      if (kinds[p] == kind)
+      {
+        number[p] = PointId(points.size());
+        points.push_back(result.points[p]);
+        if (kind == Particle)
+        {
+          kept.positions.push_back(particles.positions[p]);
+          kept.cells.push_back(particles.cells[p]);
+        }
+      }
+    }
+    if (kind == OnInterface)
+    {
+      result.numberOfSurfacePoints = points.size();
+    }
+  }
+  const auto renumber = [&number](auto & elements) {
+    for (auto & element : elements)
+    {
+      for (auto & corner : element)
+      {
+        corner = number[corner];
+      }
+    }
+  };
+  renumber(result.tetrahedra.tetrahedra);
+  renumber(result.interfaces.triangles);
+  result.points.swap(points);
+  particles = std::move(kept);
+}
+
+/** The tetrahedra between the points that have the triangles among their faces. The points after the fixed ones may be
+ * left out. */
+void
+Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
+{
+  const auto & triangles = result.interfaces.triangles;
+  try
+  {
+    result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+  }
+  catch (const itk::ExceptionObject &)
+  {
+    result.report.recoveryFailed = true;
+    if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
+    {
+      throw;
+    }
+  }
+}
+
+/** Where only the surface is wanted, tetrahedra are there to keep it free of intersections while its triangles improve:
+ * none but the flattest are worked on. */
+OptimizationParameters
+ForSurface(OptimizationParameters parameters)
+{
+  constexpr double Angle = 5.0;
+  constexpr int    Rounds = 3;
+  parameters.poorAngle = Angle;
+  parameters.flipAngle = Angle;
+  parameters.angleToKeep = Angle;
+  parameters.angleToKeepBesideTriangles = Angle;
+  parameters.tetrahedronWeight = 0.0;
+  parameters.rounds = std::min(parameters.rounds, Rounds);
+  return parameters;
+}
+
+/** Whether a mesh has the Betti numbers that it had when it was compared. */
+bool
+HasTopologyOf(const TopologyReport &      report,
+              std::size_t                 numberOfMaterials,
+              const std::vector<Vector> & points,
+              const TetrahedralMesh &     mesh)
+{
+  const auto topology = ComputeMeshTopology(points, mesh, numberOfMaterials);
+  return std::all_of(report.labels.begin(), report.labels.end(), [&](const LabelTopology & entry) {
+    return topology.regions[entry.label].betti == entry.mesh;
+  });
+}
+
+/** What else there is to say of the surface once it is final. */
+void
+DescribeSurface(const IndicatorSet & indicators, const SizingField & sizing, Material exterior, MeshingResult & result)
+{
+  result.junctions = ExtractJunctions(
+    result.interfaces, result.points, indicators.GetGrid(), indicators.GetNumberOfMaterials(), exterior);
+  result.report.sampling = MeasureSampling(sizing, result.interfaces, result.points);
+  result.report.residualsAfterOptimization = MeasureResiduals(indicators, result.particles);
+}
+} // namespace
+
+void
+BuildMesh(const IndicatorSet &      indicators,
+          const SizingField &       wantedSizing,
+          const MeshingParameters & parameters,
+          Monitor &                 monitor,
+          MeshingResult &           result)
+{
+  const Material  exterior = parameters.ExteriorOf(indicators);
+  MeshingReport & report = result.report;
+  ParticleSet &   particles = result.particles;
+
+  const float * const wanted = wantedSizing.Values();
+  std::vector<float>  sizes(wanted, wanted + indicators.GetGrid().NumberOfNodes());
+  const SizingField   sizing(indicators.GetGrid(), sizes.data());
+
+  monitor.BeginStage("seeding of particles");
+  particles = SeedParticles(indicators, sizing, parameters.exterior, parameters.seed);
+  monitor.Report(1.0);
+  for (int dimension = 1; dimension <= 2; ++dimension)
+  {
+    monitor.BeginStage(RelaxationNames[dimension]);
+    report.relaxation[dimension] =
+      RelaxParticles(indicators, sizing, dimension, parameters.relaxation, particles, monitor);
+  }
+
+  monitor.BeginStage("surface");
+  if (particles.Size() < 4)
+  {
+    itkGenericExceptionMacro(
+      "There is no interface to mesh: "
+      << particles.Size()
+      << " particles found a place on one. The image needs at least one voxel of a label that is "
+         "not exterior.");
+  }
+  result.interfaces = BuildSurface(indicators, sizing, parameters, sizes, particles, monitor, report);
+  result.points = particles.positions;
+  result.numberOfSurfacePoints = result.points.size();
+  monitor.Report(1.0);
+
+  ParticleSet all = particles;
+  if (!parameters.surfaceOnly)
+  {
+    monitor.BeginStage("seeding of the interior");
+    SeedInteriorParticles(indicators, sizing, parameters.exterior, parameters.seed, all);
+    monitor.Report(1.0);
+    monitor.BeginStage(RelaxationNames[3]);
+    RelaxationParameters interior = parameters.relaxation;
+    interior.maximumSweeps = std::min(interior.maximumSweeps, InteriorSweeps);
+    report.relaxation[3] = RelaxParticles(indicators, sizing, 3, interior, all, monitor);
+    SortInSpace(all, particles.Size());
+    report.particles[3] = all.Size() - particles.Size();
+  }
+
+  monitor.BeginStage("constrained tetrahedralization");
+  ReturnFreedMemory(); // TetGen needs most of all stages
+  const auto corners = EnclosingCorners(indicators.GetGrid());
+  result.points.insert(result.points.end(), corners.begin(), corners.end());
+  const std::size_t numberOfFixedPoints = result.points.size();
+  result.points.insert(result.points.end(), all.positions.begin() + particles.Size(), all.positions.end());
+  const std::size_t numberOfPoints = result.points.size();
+  try
+  {
+    Tetrahedralize(numberOfFixedPoints, result);
+  }
+  catch (itk::ExceptionObject & error)
+  {
+    if (!parameters.surfaceOnly)
+    {
+      error.SetDescription(error.GetDescription() + DescribeIntersections(result.points, result.interfaces.triangles));
+      throw;
+    }
+    // the surface stands without being improved
+    result.points.resize(result.numberOfSurfacePoints);
+    DescribeSurface(indicators, wantedSizing, exterior, result);
+    return;
+  }
+  result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
+  report.steinerPoints = result.points.size() - numberOfPoints;
+  monitor.Report(1.0);
+
+  monitor.BeginStage("optimization");
+  const IndicatorConstraint    constraint(indicators, exterior, particles);
+  TetrahedralComplex           complex(result.tetrahedra, result.points.size());
+  const OptimizationParameters optimization =
+    parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
+  report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
+  std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
+  result.tetrahedra = complex.GetMesh();
+  DropMaterial(exterior, result.tetrahedra);
+  if (parameters.compareTopology &&
+      !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
+  {
+    report.topology = TopologyComparison(indicators, exterior, SampleLattice::RefinementFor(parameters.keepTopology))
+                        .Compare(result.points, result.tetrahedra);
+  }
+  monitor.BeginStage("fit of the interfaces");
+  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
+  result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
+  if (parameters.surfaceOnly)
+  {
+    result.tetrahedra = TetrahedralMesh();
+  }
+  SortPoints(result);
+  DescribeSurface(indicators, wantedSizing, exterior, result);
+}
+} // namespace mmm

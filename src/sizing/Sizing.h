@@ -1,0 +1,63 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmSizing_h
+#define mmmSizing_h
+
+#include "MultiMaterialMeshingExport.h"
+#include "indicators/IndicatorSet.h"
+#include "sizing/InterfaceSamples.h"
+#include "base/Monitor.h"
+#include "sizing/SizingControl.h"
+
+namespace mmm
+{
+/** Lengths are in units of the smallest voxel spacing. */
+struct SizingParameters
+{
+  /** Edge length per local feature size. */
+  double epsilon{ 2.5 };
+  /** The largest distance between a chord and the interface that it stands for. */
+  double chordTolerance{ 0.1 };
+  /** The largest gradient of the sizing field. */
+  double gradientLimit{ 0.5 };
+  double minimumSize{ 1.0 };
+  double maximumSize{ 1e30 };
+  /** What no size exceeds, whatever else is asked for. */
+  double sizeLimit{ 1e30 };
+};
+
+/** \brief The sizing field h: the edge length that is asked for, at every grid node.
+ *
+ * At the interfaces h0 = min(epsilon * local feature size, sqrt(8 * chordTolerance / largest curvature)), within
+ * [minimumSize, maximumSize]. The local feature size is the distance to the medial axes of all materials. In between
+ * h(x) = min over y of h0(y) + gradientLimit * |x - y|, the largest field below h0 whose gradient is limited.
+ *
+ * `control` is what users add. `exterior` is the material that is not meshed, or -1. */
+MultiMaterialMeshing_EXPORT std::vector<float>
+                            ComputeSizing(const IndicatorSet &     indicators,
+                                          int                      exterior,
+                                          const SizingParameters & parameters,
+                                          const SizingControl &    control,
+                                          Monitor &                monitor);
+
+/** The largest magnitude of the interface's principal curvatures at a sample. */
+MultiMaterialMeshing_EXPORT double
+LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample);
+} // namespace mmm
+
+#endif

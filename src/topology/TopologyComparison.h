@@ -1,0 +1,99 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmTopologyComparison_h
+#define mmmTopologyComparison_h
+
+#include "mesh/MeshTopology.h"
+#include "mesh/MeshingPlace.h"
+#include "topology/TopologyDifferences.h"
+
+namespace mmm
+{
+/** A place where the topology of the mesh is not that of the indicators. */
+struct TopologyPlace
+{
+  MeshingPlace place;
+  /** For each of the place's labels, by how much the Euler characteristic is larger in the mesh: a component or a
+   * cavity more is 1, a tunnel more -1. */
+  std::vector<std::ptrdiff_t> changes;
+};
+
+/** The Betti numbers of a label, or of a material by its number, as in MeshingPlace. */
+struct LabelTopology
+{
+  int          label;
+  BettiNumbers mesh;
+  /** Of the argmax partition of the indicators. */
+  BettiNumbers partition;
+  /** By how much the Euler characteristic is larger in the mesh, less what the places found account for. */
+  std::ptrdiff_t unexplained;
+};
+
+/** How the topology of the mesh is that of the indicators, or not. */
+struct TopologyReport
+{
+  std::vector<LabelTopology> labels;
+  /** Where it is not. */
+  std::vector<TopologyPlace> differences;
+  /** Where differences side by side cancel out: Betti numbers may differ, or not. */
+  std::vector<MeshingPlace> cancelling;
+};
+
+/** \brief Compares the topology of meshes with that of the argmax partition of the indicators.
+ *
+ * A mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected
+ * where more samples show that the mesh is right, see TopologyDifferenceFinder: if no place is left for a material,
+ * its numbers are the mesh's, otherwise its tunnels change. The places are found there, too; their changes add up to
+ * the difference of the Euler characteristics, or else what is left unexplained is told. */
+class MultiMaterialMeshing_EXPORT TopologyComparison
+{
+public:
+  /** The indicators have to stay. What is of `exterior` in a mesh is not looked at; there may be nothing instead.
+   * `samplesPerVoxel` is along each axis, 2 or 4. */
+  TopologyComparison(const IndicatorSet & indicators, Material exterior, int samplesPerVoxel);
+
+  const SampleLattice &
+  GetLattice() const
+  {
+    return m_Lattice;
+  }
+  const SampledMaterials &
+  GetPartition() const
+  {
+    return m_Partition;
+  }
+
+  /** See TopologyDifferenceFinder::Find(). */
+  TopologyDifferences
+  FindDifferences(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+  {
+    return m_Finder.Find(points, mesh);
+  }
+  /** The same with Betti numbers. */
+  TopologyReport
+  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+
+private:
+  const SampleLattice      m_Lattice;
+  const SampledMaterials   m_Partition;
+  const Material           m_Exterior;
+  TopologyDifferenceFinder m_Finder;
+};
+} // namespace mmm
+
+#endif
