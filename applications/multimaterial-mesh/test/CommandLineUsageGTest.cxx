@@ -201,15 +201,23 @@ TEST_F(CommandLineUsage, HelpComesBeforeErrors)
   EXPECT_EQ(result.error, "");
 }
 
-TEST_F(CommandLineUsage, ReadmeListsAllOptions)
+TEST_F(CommandLineUsage, ParametersPageHasARowForEachOption)
 {
-  std::ifstream     stream(README_FILE);
-  const std::string readme{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
+  std::ifstream stream(PARAMETERS_PAGE);
+  std::string   rows;
+  for (std::string line; std::getline(stream, line);)
+  {
+    if (line.rfind("| `--", 0) == 0)
+    {
+      rows += line + '\n';
+    }
+  }
   for (const auto & entry : cli::OptionTable())
   {
     if (!entry.IsPositional())
     {
-      EXPECT_NE(readme.find("`--" + entry.name), std::string::npos) << entry.name;
+      const std::string usage = cli::NameOf(entry) + (entry.placeholder.empty() ? "" : " " + entry.placeholder);
+      EXPECT_NE(rows.find('`' + usage + '`'), std::string::npos) << usage;
     }
   }
 }
