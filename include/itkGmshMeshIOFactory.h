@@ -19,7 +19,7 @@
 #define itkGmshMeshIOFactory_h
 
 #include "MultiMaterialMeshingExport.h"
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkMeshIOBase.h"
 #include "itkObjectFactoryBase.h"

@@ -19,7 +19,7 @@
 #define itkGroupedMeshIOBase_h
 
 #include "MultiMaterialMeshingExport.h"
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkMeshIOBase.h"
 

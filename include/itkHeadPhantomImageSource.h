@@ -18,7 +18,7 @@
 #ifndef itkHeadPhantomImageSource_h
 #define itkHeadPhantomImageSource_h
 
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkImageSource.h"
 

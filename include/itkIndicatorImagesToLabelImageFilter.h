@@ -18,7 +18,7 @@
 #ifndef itkIndicatorImagesToLabelImageFilter_h
 #define itkIndicatorImagesToLabelImageFilter_h
 
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

@@ -21,9 +21,10 @@
 #include "itkMultiMaterialMeshTypes.h"
 #include "itk/FilterMonitor.h"
 #include "itk/GridGeometry.h"
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 #include "itk/InterfaceLabels.h"
 #include "pipeline/Mesher.h"
+#include "sizing/MeshEstimate.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

@@ -18,7 +18,7 @@
 #ifndef itkIndicatorImagesToSizingImageFilter_h
 #define itkIndicatorImagesToSizingImageFilter_h
 
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 #include "itk/SizingOptions.h"
 
 #include "itkConceptChecking.h"

@@ -107,7 +107,6 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetOptions() 
   options.labelSizes = m_LabelSizes;
   options.region.minimumSize = m_RegionMinimumSize;
   options.region.maximumSize = m_RegionMaximumSize;
-  options.hasRegion = this->GetRegionOfInterest() != nullptr;
   return options;
 }
 
@@ -166,8 +165,8 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyPrecond
   {
     itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
   }
-  for (const std::string & error :
-       { mmm::DescribeError(this->GetOptions()), mmm::DescribeUnknownLabels(m_LabelSizes, this->GetInputLabels()) })
+  for (const std::string & error : { mmm::DescribeError(this->GetOptions(), this->GetRegionOfInterest() != nullptr),
+                                     mmm::DescribeUnknownLabels(m_LabelSizes, this->GetInputLabels()) })
   {
     if (!error.empty())
     {

@@ -20,7 +20,7 @@
 
 #include "itk/FilterMonitor.h"
 #include "indicators/IndicatorSmoothing.h"
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"

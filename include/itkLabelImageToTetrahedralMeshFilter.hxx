@@ -178,7 +178,6 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSizingOptions() 
   options.labelSizes = m_LabelSizes;
   options.region.minimumSize = m_RegionMinimumSize;
   options.region.maximumSize = m_RegionMaximumSize;
-  options.hasRegion = this->GetRegionOfInterest() != nullptr;
   return options;
 }
 
@@ -207,7 +206,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyPreconditions
   {
     itkExceptionMacro("The largest memory is " << m_MaximumMemory << " GB. It must be positive.");
   }
-  const std::string error = mmm::DescribeError(this->GetSizingOptions());
+  const std::string error = mmm::DescribeError(this->GetSizingOptions(), this->GetRegionOfInterest() != nullptr);
   if (!error.empty())
   {
     itkExceptionMacro(<< error);

@@ -18,8 +18,8 @@
 #ifndef itkMergeLabelIslandsImageFilter_h
 #define itkMergeLabelIslandsImageFilter_h
 
-#include "image/IslandRecord.h"
-#include "itk/ITKCompatibility.h"
+#include "MultiMaterialMeshingReports.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
 #include "itkImageToImageFilter.h"

@@ -20,11 +20,9 @@
 
 // SWIG has included Python.h.
 
-#include "image/IslandRecord.h"
-#include "quality/MeshQuality.h"
-#include "pipeline/Mesher.h"
-#include "sizing/SizeRule.h"
-#include "base/StageRecord.h"
+#include "MultiMaterialMeshingOptions.h"
+#include "MultiMaterialMeshingQuality.h"
+#include "MultiMaterialMeshingReports.h"
 
 #include <array>
 #include <cstddef>

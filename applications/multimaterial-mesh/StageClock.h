@@ -21,7 +21,7 @@
 #include "Interruption.h"
 #include "ProgressDisplay.h"
 #include "base/PeakMemory.h"
-#include "base/StageRecord.h"
+#include "MultiMaterialMeshingReports.h"
 
 #include <chrono>
 #include <string>

@@ -18,7 +18,7 @@
 #include "Warnings.h"
 
 #include "Errors.h"
-#include "itk/ITKCompatibility.h"
+#include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkOutputWindow.h"
 

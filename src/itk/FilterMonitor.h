@@ -18,10 +18,9 @@
 #ifndef mmmFilterMonitor_h
 #define mmmFilterMonitor_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingReports.h"
 #include "base/Monitor.h"
 #include "base/Parallel.h"
-#include "base/StageRecord.h"
 
 #include "itkProcessObject.h"
 
@@ -35,16 +34,6 @@ struct PlannedStage
 {
   std::string name;
   double      share;
-};
-
-/** Where the work of a filter is, for those who observe it. */
-struct StageLog
-{
-  /** The stage that is running or ran last, and the fraction of it that is done. */
-  std::string current;
-  float       progress{ 0.0f };
-  /** The stages that ended. */
-  std::vector<StageRecord> records;
 };
 
 /** \brief Makes the core's progress that of a filter, keeps a log of the stages, and ends the work if the filter is

@@ -18,6 +18,7 @@
 #ifndef mmmLabels_h
 #define mmmLabels_h
 
+#include "MultiMaterialMeshingReports.h"
 #include "itk/GridGeometry.h"
 #include "image/MaterialImage.h"
 
@@ -27,14 +28,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace mmm
 {
-/** Numbers of voxels by label. */
-using LabelCounts = std::map<int, std::size_t>;
-
 /** Calls body(label, count) for the runs of equal labels of an image, in the order of its buffer. Throws
  * itk::ExceptionObject for a label beyond the range of int. */
 template <typename TLabelImage, typename TBody>

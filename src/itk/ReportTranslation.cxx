@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itk/ReportTranslation.h"
 
+#include "base/Points.h"
+
 namespace mmm
 {
 namespace
@@ -24,8 +26,7 @@ namespace
 void
 Translate(const GridGeometry & geometry, MeshingPlace & place)
 {
-  const auto point = geometry.ToPhysicalPoint(place.position);
-  place.position = Vector(point[0], point[1], point[2]);
+  place.position = geometry.ToPhysicalPoint(ToVector(place.position));
 }
 
 void

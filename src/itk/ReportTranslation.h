@@ -18,9 +18,9 @@
 #ifndef mmmReportTranslation_h
 #define mmmReportTranslation_h
 
+#include "MultiMaterialMeshingReports.h"
 #include "itk/GridGeometry.h"
 #include "itk/InterfaceLabels.h"
-#include "pipeline/Mesher.h"
 
 namespace mmm
 {

@@ -29,7 +29,7 @@ namespace
 constexpr double LargestVolume = 0.6;
 
 std::string
-DescribeRuleErrors(const SizingOptions & options)
+DescribeRuleErrors(const SizingOptions & options, bool hasRegion)
 {
   for (const auto & entry : options.labelSizes)
   {
@@ -39,11 +39,11 @@ DescribeRuleErrors(const SizingOptions & options)
       return error;
     }
   }
-  if (options.hasRegion && !options.region.IsGiven())
+  if (hasRegion && !options.region.IsGiven())
   {
     return "The region of interest has no smallest or largest size.";
   }
-  if (!options.hasRegion && options.region.IsGiven())
+  if (!hasRegion && options.region.IsGiven())
   {
     return "There are sizes for the region of interest, but no image of that region.";
   }
@@ -61,7 +61,7 @@ SizeOfVolume(double volume)
 }
 
 std::string
-DescribeError(const SizingOptions & options)
+DescribeError(const SizingOptions & options, bool hasRegion)
 {
   const struct
   {
@@ -104,7 +104,7 @@ DescribeError(const SizingOptions & options)
           << " mm.";
     return words.str();
   }
-  return DescribeRuleErrors(options);
+  return DescribeRuleErrors(options, hasRegion);
 }
 
 SizeRule

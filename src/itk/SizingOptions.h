@@ -18,40 +18,23 @@
 #ifndef mmmSizingOptions_h
 #define mmmSizingOptions_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingOptions.h"
 #include "itk/GridGeometry.h"
 #include "sizing/SizeRule.h"
 #include "sizing/Sizing.h"
 
-#include <limits>
 #include <string>
 
 namespace mmm
 {
-/** \brief The parameters of the sizing field as users give them: lengths in the image's unit, usually mm, or not a
- * number where the smallest voxel spacing is to decide. */
-struct SizingOptions
-{
-  double epsilon{ 2.5 };
-  double chordTolerance{ std::numeric_limits<double>::quiet_NaN() };
-  double gradientLimit{ 0.5 };
-  double minimumSize{ std::numeric_limits<double>::quiet_NaN() };
-  double maximumSize{ std::numeric_limits<double>::infinity() };
-  /** The volume that no tetrahedron is to exceed, in the cube of the image's unit. */
-  double         maximumVolume{ std::numeric_limits<double>::infinity() };
-  LabelSizeRules labelSizes;
-  /** The bounds in the region of interest, and whether there is one. */
-  SizeRule region;
-  bool     hasRegion{ false };
-};
-
 /** The edge length that keeps tetrahedra below a volume. */
 MultiMaterialMeshing_EXPORT double
 SizeOfVolume(double volume);
 
-/** What is wrong with the options, in a sentence; empty if nothing is. */
+/** What is wrong with the options, in a sentence; empty if nothing is. `hasRegion` tells whether there is a region of
+ * interest. */
 MultiMaterialMeshing_EXPORT std::string
-                            DescribeError(const SizingOptions & options);
+                            DescribeError(const SizingOptions & options, bool hasRegion);
 
 /** Rules in the grid's unit. */
 MultiMaterialMeshing_EXPORT SizeRule

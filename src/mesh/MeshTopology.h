@@ -18,7 +18,7 @@
 #ifndef mmmMeshTopology_h
 #define mmmMeshTopology_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingQuality.h"
 #include "mesh/TetrahedralMesh.h"
 
 #include <array>
@@ -27,9 +27,6 @@
 
 namespace mmm
 {
-/** Components, tunnels and cavities. */
-using BettiNumbers = std::array<std::ptrdiff_t, 3>;
-
 /** A face on the boundary of a region: behind it is another one, or nothing. A face between two regions is listed once
  * for each of them. */
 struct BoundaryFace

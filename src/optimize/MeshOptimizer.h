@@ -18,6 +18,7 @@
 #ifndef mmmMeshOptimizer_h
 #define mmmMeshOptimizer_h
 
+#include "MultiMaterialMeshingReports.h"
 #include "base/Monitor.h"
 #include "optimize/TetrahedralComplex.h"
 
@@ -49,16 +50,6 @@ struct OptimizationParameters
   int rounds{ 6 };
   /** An interface may leave the zero set by this much, in units of the smallest voxel spacing. */
   double interfaceTolerance{ 0.25 };
-};
-
-struct OptimizationReport
-{
-  std::size_t flips{ 0 };
-  std::size_t interfaceFlips{ 0 };
-  std::size_t relabelled{ 0 };
-  std::size_t collapses{ 0 };
-  std::size_t moves{ 0 };
-  int         rounds{ 0 };
 };
 
 /** \brief Improves the worst tetrahedra first: no change of the connectivity lowers the local worst quality.

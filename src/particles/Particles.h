@@ -18,7 +18,7 @@
 #ifndef mmmParticles_h
 #define mmmParticles_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingReports.h"
 #include "indicators/IndicatorSet.h"
 #include "base/Monitor.h"
 #include "indicators/SampleLattice.h"
@@ -73,16 +73,6 @@ struct RelaxationParameters
   double tolerance{ 0.01 };
   /** ... or after so many. */
   int maximumSweeps{ 40 };
-};
-
-struct RelaxationReport
-{
-  int sweeps{ 0 };
-  /** In the last sweep, in units of h; below the tolerance if they converged. */
-  double      meanMove{ 0.0 };
-  bool        converged{ false };
-  std::size_t added{ 0 };
-  std::size_t removed{ 0 };
 };
 
 /** \brief Starts particles on all 0-, 1- and 2-cells.

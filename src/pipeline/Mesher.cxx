@@ -17,16 +17,17 @@
  *=========================================================================*/
 #include "pipeline/Mesher.h"
 
+#include "base/FreedMemory.h"
 #include "delaunay/ConformingDelaunay.h"
 #include "delaunay/Enclosure.h"
-#include "base/FreedMemory.h"
+#include "delaunay/TetGen.h"
+#include "mesh/MeshTopology.h"
 #include "optimize/IndicatorConstraint.h"
 #include "optimize/InterfaceFit.h"
 #include "particles/InteriorParticles.h"
-#include "optimize/MeshOptimizer.h"
 #include "particles/SpatialOrder.h"
-#include "surface/SurfaceStage.h"
-#include "delaunay/TetGen.h"
+#include "surface/Sampling.h"
+#include "topology/TopologyComparison.h"
 
 #include "itkMacro.h"
 

@@ -18,18 +18,10 @@
 #ifndef mmmDistribution_h
 #define mmmDistribution_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingQuality.h"
 
 namespace mmm
 {
-/** All are 0 without values. The percentile is interpolated linearly between the values next to it. */
-struct Distribution
-{
-  double average{ 0.0 };
-  double minimum{ 0.0 };
-  double firstPercentile{ 0.0 };
-};
-
 /** Of the values from `begin` up to `end`, which it reorders. */
 MultiMaterialMeshing_EXPORT Distribution
 Summarize(double * begin, double * end);

@@ -16,10 +16,13 @@
  *
  *=========================================================================*/
 #include "quality/MeshQuality.h"
-#include "mesh/Incidence.h"
+
 #include "base/MakeUnique.h"
-#include "mesh/MeshTopology.h"
 #include "base/Parallel.h"
+#include "base/Points.h"
+#include "mesh/Incidence.h"
+#include "mesh/MeshTopology.h"
+#include "quality/Distribution.h"
 
 #include <cstring>
 #include <iomanip>
@@ -204,7 +207,7 @@ MeasureTetrahedra(const std::vector<Vector> &        points,
         PoorTetrahedron tetrahedron;
         tetrahedron.index = t;
         tetrahedron.label = report.labels[regions[t]].label;
-        tetrahedron.center = 0.25 * (a + b + c + d);
+        tetrahedron.center = ToPoint(0.25 * (a + b + c + d));
         tetrahedron.smallestAngle = smallest;
         tetrahedron.largestAngle = largest;
         rangePoor.push_back(tetrahedron);

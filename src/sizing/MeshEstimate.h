@@ -18,33 +18,14 @@
 #ifndef mmmMeshEstimate_h
 #define mmmMeshEstimate_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingReports.h"
 #include "indicators/IndicatorSet.h"
 #include "sizing/SizingField.h"
 
-#include <string>
 #include <vector>
 
 namespace mmm
 {
-/** About how large a mesh and the work on it will be. All are 0 where there is no estimate. */
-struct MeshEstimate
-{
-  double triangles{ 0.0 };
-  double points{ 0.0 };
-  double tetrahedra{ 0.0 };
-  /** The largest physical memory that the process will have occupied, in GB (2^30 bytes). */
-  double memory{ 0.0 };
-};
-
-/** A number in words, rounded: "3.5 million", "240 thousand", "870"; below 5 it is "0". */
-MultiMaterialMeshing_EXPORT std::string
-                            DescribeCount(double count);
-
-/** For instance "690 thousand points, 3.5 million tetrahedra and 2.9 GB". */
-MultiMaterialMeshing_EXPORT std::string
-                            Describe(const MeshEstimate & estimate);
-
 /** The next number of two digits that is not smaller. */
 MultiMaterialMeshing_EXPORT double
 RoundUp(double value);

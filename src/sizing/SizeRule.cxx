@@ -113,12 +113,6 @@ DescribeLabels(const std::vector<int> & labels)
 }
 } // namespace
 
-bool
-SizeRule::IsGiven() const
-{
-  return factor != 1.0 || !std::isnan(minimumSize) || !std::isnan(maximumSize);
-}
-
 LabelSizeRules
 ParseLabelSizeRules(const std::string & text)
 {

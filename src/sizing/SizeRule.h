@@ -18,41 +18,13 @@
 #ifndef mmmSizeRule_h
 #define mmmSizeRule_h
 
-#include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingOptions.h"
 
-#include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace mmm
 {
-/** \brief What is asked of the edge lengths in a label or a region. A bound that is not a number is not given. */
-struct SizeRule
-{
-  double factor{ 1.0 };
-  double minimumSize{ std::numeric_limits<double>::quiet_NaN() };
-  double maximumSize{ std::numeric_limits<double>::quiet_NaN() };
-
-  /** Whether it asks for anything. */
-  bool
-  IsGiven() const;
-};
-
-/** Rules by label. */
-using LabelSizeRules = std::map<int, SizeRule>;
-
-/** \brief Rules from a text such as "3:factor=0.5:max=2,7:min=1".
- *
- * Labels are separated by commas. What is asked of each follows after colons: factor, min and max, in any order. An
- * empty text has no rules. Throws itk::ExceptionObject that tells what cannot be read. Values are not checked. */
-MultiMaterialMeshing_EXPORT LabelSizeRules
-ParseLabelSizeRules(const std::string & text);
-
-/** The text that gives these rules. */
-MultiMaterialMeshing_EXPORT std::string
-                            ToText(const LabelSizeRules & rules);
-
 /** What is wrong with a rule, in a sentence that calls its place, such as "label 3", by name; empty if nothing is. */
 MultiMaterialMeshing_EXPORT std::string
                             DescribeError(const SizeRule & rule, const std::string & place);

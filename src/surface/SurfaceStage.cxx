@@ -23,8 +23,10 @@
 #include "base/IndexBox.h"
 #include "surface/LinkRepair.h"
 #include "surface/LostNodes.h"
+#include "surface/Sampling.h"
 #include "base/MakeUnique.h"
 #include "base/Parallel.h"
+#include "base/Points.h"
 #include "particles/ParticleMerging.h"
 #include "particles/SpatialOrder.h"
 #include "surface/SurfaceLabelling.h"
@@ -176,7 +178,7 @@ FindInconsistentTriangles(const IndicatorSet &  indicators,
         }))
     {
       const auto & x = particles.positions;
-      places.push_back({ (x[corners[0]] + x[corners[1]] + x[corners[2]]) / 3.0, { sides[0], sides[1] } });
+      places.push_back({ ToPoint((x[corners[0]] + x[corners[1]] + x[corners[2]]) / 3.0), { sides[0], sides[1] } });
     }
   }
   return places;
@@ -191,7 +193,7 @@ DescribeLinks(const LinkRepairReport & repair, const ParticleSet & particles, Li
   report.relabelled = repair.relabelled;
   const auto add = [&](const Vector & x, PointId p) {
     const Cell & cell = particles.CellOf(p);
-    report.left.push_back({ x, std::vector<int>(cell.begin(), cell.end()) });
+    report.left.push_back({ ToPoint(x), std::vector<int>(cell.begin(), cell.end()) });
   };
   for (const PointId p : repair.left.points)
   {
@@ -209,7 +211,7 @@ class SurfaceBuilder
 public:
   SurfaceBuilder(const IndicatorSet &      indicators,
                  const SizingField &       sizing,
-                 const MeshingParameters & parameters,
+                 const SurfaceParameters & parameters,
                  std::vector<float> &      sizes,
                  ParticleSet &             particles)
     : m_Indicators(indicators)
@@ -415,7 +417,7 @@ private:
 InterfaceMesh
 BuildSurface(const IndicatorSet &      indicators,
              const SizingField &       sizing,
-             const MeshingParameters & parameters,
+             const SurfaceParameters & parameters,
              std::vector<float> &      sizes,
              ParticleSet &             particles,
              Monitor &                 monitor,

@@ -18,10 +18,34 @@
 #ifndef mmmSurfaceStage_h
 #define mmmSurfaceStage_h
 
-#include "pipeline/Mesher.h"
+#include "MultiMaterialMeshingReports.h"
+#include "mesh/InterfaceMesh.h"
+#include "particles/Particles.h"
+
+#include <cstdint>
+#include <vector>
 
 namespace mmm
 {
+struct SurfaceParameters
+{
+  /** The number of the material that is not meshed, or -1. */
+  int                  exterior{ -1 };
+  std::uint64_t        seed{ 1 };
+  RelaxationParameters relaxation;
+  /** Add particles until the topology of the surface is that of the indicators, as far as possible. */
+  bool keepTopology{ false };
+  /** Compare the Betti numbers of the mesh with those of the indicators' partition. */
+  bool compareTopology{ false };
+
+  /** The number of what is not meshed: that of its material, or one that no material has. */
+  Material
+  ExteriorOf(const IndicatorSet & indicators) const
+  {
+    return Material(exterior >= 0 ? std::size_t(exterior) : indicators.GetNumberOfMaterials());
+  }
+};
+
 /** \brief The interfaces: triangles between particles, which all are corners of one.
  *
  * Rounds of labelled Delaunay tetrahedralization and of relaxation of the particles on the triangles between the
@@ -32,7 +56,7 @@ namespace mmm
 InterfaceMesh
 BuildSurface(const IndicatorSet &      indicators,
              const SizingField &       sizing,
-             const MeshingParameters & parameters,
+             const SurfaceParameters & parameters,
              std::vector<float> &      sizes,
              ParticleSet &             particles,
              Monitor &                 monitor,

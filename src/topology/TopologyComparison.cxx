@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "topology/TopologyComparison.h"
 
+#include "base/Points.h"
 #include "topology/PartitionTopology.h"
 
 namespace mmm
@@ -33,7 +34,7 @@ TopologyPlace
 Describe(const TopologyDifference & difference)
 {
   TopologyPlace entry;
-  entry.place.position = difference.position;
+  entry.place.position = ToPoint(difference.position);
   for (const auto & change : difference.changes)
   {
     entry.place.labels.push_back(int(change.material));

@@ -18,42 +18,12 @@
 #ifndef mmmTopologyComparison_h
 #define mmmTopologyComparison_h
 
+#include "MultiMaterialMeshingReports.h"
 #include "mesh/MeshTopology.h"
-#include "mesh/MeshingPlace.h"
 #include "topology/TopologyDifferences.h"
 
 namespace mmm
 {
-/** A place where the topology of the mesh is not that of the indicators. */
-struct TopologyPlace
-{
-  MeshingPlace place;
-  /** For each of the place's labels, by how much the Euler characteristic is larger in the mesh: a component or a
-   * cavity more is 1, a tunnel more -1. */
-  std::vector<std::ptrdiff_t> changes;
-};
-
-/** The Betti numbers of a label, or of a material by its number, as in MeshingPlace. */
-struct LabelTopology
-{
-  int          label;
-  BettiNumbers mesh;
-  /** Of the argmax partition of the indicators. */
-  BettiNumbers partition;
-  /** By how much the Euler characteristic is larger in the mesh, less what the places found account for. */
-  std::ptrdiff_t unexplained;
-};
-
-/** How the topology of the mesh is that of the indicators, or not. */
-struct TopologyReport
-{
-  std::vector<LabelTopology> labels;
-  /** Where it is not. */
-  std::vector<TopologyPlace> differences;
-  /** Where differences side by side cancel out: Betti numbers may differ, or not. */
-  std::vector<MeshingPlace> cancelling;
-};
-
 /** \brief Compares the topology of meshes with that of the argmax partition of the indicators.
  *
  * A mesh's Betti numbers are exact, see ComputeMeshTopology(); the partition's are those of samples, corrected

@@ -16,6 +16,8 @@
  *
  *=========================================================================*/
 #include "quality/MeshQuality.h"
+
+#include "base/Points.h"
 #include "mesh/MeshTopology.h"
 
 #include "itkMath.h"
@@ -570,7 +572,7 @@ TEST(mmmMeshQuality, PoorTetrahedraTellWhereTheyAre)
   EXPECT_EQ(poor.boundaryFaces, 4);
   EXPECT_EQ(poor.boundaryCorners, 4);
   EXPECT_STREQ(mmm::ToString(poor.GetPlace()), "on an interface");
-  EXPECT_NEAR((poor.center - Vector(0.325, 0.325, 0.005)).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((mmm::ToVector(poor.center) - Vector(0.325, 0.325, 0.005)).norm(), 0.0, 1e-14);
   EXPECT_NEAR(poor.smallestAngle, std::atan(0.02 / 0.3) * itk::Math::deg_per_rad, 1e-9);
   EXPECT_GT(poor.largestAngle, 165.0);
 }

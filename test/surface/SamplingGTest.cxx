@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "pipeline/Mesher.h"
+#include "surface/Sampling.h"
 #include "support/TestScenes.h"
 
 #include <gtest/gtest.h>

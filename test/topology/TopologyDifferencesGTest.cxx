@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "topology/TopologyDifferences.h"
 #include "base/Hash.h"
+#include "base/Points.h"
 #include "topology/PartitionTopology.h"
 #include "indicators/SampleNeighbours.h"
 #include "support/TestScenes.h"
@@ -470,5 +471,5 @@ TEST(TopologyComparison, ExplainsAPartThatTheMeshLacks)
   const mmm::TopologyPlace & place = report.differences[0];
   ASSERT_EQ(place.place.labels, (std::vector<int>{ 1 }));
   EXPECT_EQ(place.changes, (std::vector<std::ptrdiff_t>{ -1 }));
-  EXPECT_LT((place.place.position - Centre()).norm(), 2.0);
+  EXPECT_LT((mmm::ToVector(place.place.position) - Centre()).norm(), 2.0);
 }

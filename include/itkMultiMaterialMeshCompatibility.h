@@ -15,22 +15,16 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmMeshingPlace_h
-#define mmmMeshingPlace_h
+#ifndef itkMultiMaterialMeshCompatibility_h
+#define itkMultiMaterialMeshCompatibility_h
 
-#include "base/Grid.h"
+#include "itkMacro.h"
 
-#include <vector>
-
-namespace mmm
-{
-/** Somewhere in the mesh, and the labels that meet there. BuildMesh() gives the numbers of materials and a position in
- * the frame of Grid; the filters give labels and a physical point. */
-struct MeshingPlace
-{
-  Vector           position;
-  std::vector<int> labels;
-};
-} // namespace mmm
+// ITK before 5.4 lacks this macro; later ones deprecate itkTypeMacro, which it replaces.
+#ifndef itkOverrideGetNameOfClassMacro
+#  define itkOverrideGetNameOfClassMacro(thisClass)                     \
+    const char * GetNameOfClass() const override { return #thisClass; } \
+    ITK_MACROEND_NOOP_STATEMENT
+#endif
 
 #endif

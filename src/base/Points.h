@@ -15,26 +15,30 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmIslandRecord_h
-#define mmmIslandRecord_h
+#ifndef mmmPoints_h
+#define mmmPoints_h
 
-#include <cstddef>
-#include <map>
+#include "base/Grid.h"
+
+#include "itkPoint.h"
 
 namespace mmm
 {
-/** What became of the voxels of a label when islands were merged. */
-struct IslandRecord
+/** A point as reports have it. */
+inline itk::Point<double, 3>
+ToPoint(const Vector & x)
 {
-  /** Components that went to other labels, and how many voxels they had. */
-  std::size_t components{ 0 };
-  std::size_t voxels{ 0 };
-  /** Where those voxels went: voxels by label. */
-  std::map<int, std::size_t> destinations;
-  /** Voxels of the label in the input and in the output. */
-  std::size_t voxelsBefore{ 0 };
-  std::size_t voxelsAfter{ 0 };
-};
+  itk::Point<double, 3> point;
+  std::copy_n(x.data(), 3, point.GetDataPointer());
+  return point;
+}
+
+/** A point of a report as the core has it. */
+inline Vector
+ToVector(const itk::Point<double, 3> & point)
+{
+  return Vector(point.GetDataPointer());
+}
 } // namespace mmm
 
 #endif
