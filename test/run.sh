@@ -24,8 +24,9 @@ export BUILD_DIR=${BUILD_DIR:-$project/build}
 "$project/scripts/apt-install.sh" libgtest-dev python3-venv
 clients=$BUILD_DIR/clients
 python3 -m venv "$clients"
-if ! "$clients/bin/pip" install --quiet --disable-pip-version-check ctk-cli gmsh meshio numpy pyvista; then
-  echo "There is no package index: the tests by ctk-cli, Gmsh, meshio and pyvista are left out." >&2
+if ! "$clients/bin/pip" install --quiet --disable-pip-version-check ctk-cli gmsh matplotlib meshio numpy pyvista \
+  scikit-fem scipy snakemake; then
+  echo "There is no package index: the tests with other people's packages are left out." >&2
 fi
 "$project/scripts/build.sh" -DBUILD_TESTING=ON -DPython3_EXECUTABLE="$clients/bin/python"
 cd "$BUILD_DIR"

@@ -16,7 +16,7 @@
 #
 """Compares the potential of dipoles in a mesh of four concentric spheres with the known solution.
 
-usage: sphere.py [--spacing MM] [--indicators] [--folder out] [--program multimaterial-mesh]
+usage: sphere.py [--spacing MM] [--depths MM...] [--indicators] [--folder out] [--program multimaterial-mesh]
 
 Writes a label image of a brain, cerebrospinal fluid, a skull and a skin, or an image per tissue of how far inside each
 voxel is, meshes that, solves for radial and tangential dipoles at several depths, prints the errors on the skin, and
@@ -104,6 +104,9 @@ def draw(skin, position, picture):
 def main():
     parser = argparse.ArgumentParser(description="Compares dipoles in a mesh of spheres with the known solution.")
     parser.add_argument("--spacing", type=float, default=2.0, metavar="MM", help="of the voxels (default: %(default)s)")
+    parser.add_argument(
+        "--depths", type=float, nargs="+", default=[60.0, 40.0, 20.0, 10.0], metavar="MM", help="below the fluid"
+    )
     parser.add_argument("--indicators", action="store_true", help="mesh signed distances instead of labels")
     parser.add_argument("--folder", type=pathlib.Path, default="out", help="for the files (default: %(default)s)")
     parser.add_argument("--program", help="path of multimaterial-mesh, if it is not found")
@@ -126,7 +129,7 @@ def main():
     axis = np.array([0.36, -0.48, 0.8])
     across = np.array([0.8, 0.6, 0.0])
     print("depth mm  dipole      relative error     RDM     MAG")
-    for depth in (60.0, 40.0, 20.0, 10.0):
+    for depth in arguments.depths:
         position = (RADII[0] - depth) * axis
         for name, direction in (("radial", axis), ("tangential", across)):
             moment = MOMENT * direction

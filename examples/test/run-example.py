@@ -1,0 +1,103 @@
+# =========================================================================
+#
+#  Copyright NumFOCUS
+#
+#  Licensed under the Apache License, Version 2.0 (the "License");
+#  you may not use this file except in compliance with the License.
+#  You may obtain a copy of the License at
+#
+#         https://www.apache.org/licenses/LICENSE-2.0.txt
+#
+#  Unless required by applicable law or agreed to in writing, software
+#  distributed under the License is distributed on an "AS IS" BASIS,
+#  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+#  See the License for the specific language governing permissions and
+#  limitations under the License.
+#
+"""Runs an example on the head phantom at 4 mm, or on spheres at 4 mm, and checks what it says and leaves.
+
+usage: run-example.py {surfaces,head,spheres,cohort} FOLDER_OF_PROGRAMS
+"""
+
+import csv
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+examples = pathlib.Path(__file__).resolve().parents[1]
+
+
+def run(*command):
+    """What a command prints, which has to succeed."""
+    done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    print(done.stdout)
+    done.check_returncode()
+    return done.stdout
+
+
+def make_phantom():
+    run("make-head-phantom", "head.nrrd", "4")
+    return "head.nrrd"
+
+
+def check_pictures(*names):
+    for name in names:
+        assert pathlib.Path(name).read_bytes().startswith(b"\x89PNG"), name
+
+
+def surfaces():
+    """Each of the six tissues has a closed surface without pinches."""
+    text = run(sys.executable, examples / "bem/surfaces.py", make_phantom())
+    rows = re.findall(r"^label (\d): .* volume ([\d.]+) ml, 0 open edges, 0 pinched edges$", text, re.M)
+    assert [label for label, _ in rows] == list("123456"), rows
+    assert 3300 < sum(float(volume) for _, volume in rows) < 3900, rows
+    check_pictures("out/tissues.png")
+
+
+def head():
+    """A dipole gives microvolts of both signs on the skin."""
+    text = run(sys.executable, examples / "eeg/head.py", make_phantom())
+    least, largest = map(float, re.search(r"potential on the skin: (\S+) to (\S+)", text).groups())
+    assert -20 < least < -0.1 and 0.1 < largest < 20, (least, largest)
+    check_pictures("out/head-eeg.png")
+
+
+def spheres():
+    """The potential is that of the series, as far as voxels of twice the fluid's thickness allow."""
+    text = run(sys.executable, examples / "eeg/sphere.py", "--spacing", "4", "--depths", "40", "--indicators")
+    rows = re.findall(r"^ +40 +(\S+) +\S+% +(\S+) +(\S+)$", text, re.M)
+    assert [name for name, _, _ in rows] == ["radial", "tangential"], rows
+    for _, topography, magnitude in rows:
+        assert float(topography) < 0.05 and 0.8 < float(magnitude) < 1.25, rows
+    check_pictures("out/spheres-potential.png")
+
+
+def cohort():
+    """Each image has a row in the table, and a second run finds nothing to do."""
+    command = [sys.executable, "-m", "snakemake", "--snakefile", examples / "cohort/Snakefile", "--cores", "2"] + [
+        "--config",
+        "phantoms=[5.0,6.0]",
+    ]
+    run(*command)
+    with open("out/cohort/quality.tsv") as table:
+        rows = list(csv.DictReader(table, delimiter="\t"))
+    assert sorted(row["subject"] for row in rows) == ["phantom-5.0mm", "phantom-6.0mm"], rows
+    for row in rows:
+        assert row["open_edges"] == "0" and row["labels_vanished"] == "0" and float(row["smallest_angle_deg"]) > 5, row
+    check_pictures("out/cohort/quality.png")
+    assert "Nothing to be done" in run(*command)
+
+
+def main():
+    example, programs = sys.argv[1:]
+    os.environ["PATH"] = programs + os.pathsep + os.environ["PATH"]
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        {"surfaces": surfaces, "head": head, "spheres": spheres, "cohort": cohort}[example]()
+        os.chdir("/")
+
+
+main()
