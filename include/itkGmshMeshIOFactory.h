@@ -18,11 +18,8 @@
 #ifndef itkGmshMeshIOFactory_h
 #define itkGmshMeshIOFactory_h
 
-#include "MultiMaterialMeshingExport.h"
-#include "itkMultiMaterialMeshCompatibility.h"
-
-#include "itkMeshIOBase.h"
-#include "itkObjectFactoryBase.h"
+#include "itkGmshMeshIO.h"
+#include "itkMeshIOFactoryOf.h"
 
 namespace itk
 {
@@ -31,22 +28,14 @@ namespace itk
  *
  * \ingroup MultiMaterialMeshing
  */
-class MultiMaterialMeshing_EXPORT GmshMeshIOFactory : public ObjectFactoryBase
+class MultiMaterialMeshing_EXPORT GmshMeshIOFactory : public MeshIOFactoryOf<GmshMeshIO>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(GmshMeshIOFactory);
-
   /** Standard class type aliases. */
   using Self = GmshMeshIOFactory;
-  using Superclass = ObjectFactoryBase;
+  using Superclass = MeshIOFactoryOf<GmshMeshIO>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-
-  const char *
-  GetITKSourceVersion() const override;
-
-  const char *
-  GetDescription() const override;
 
   /** Method for class instantiation. */
   itkFactorylessNewMacro(Self);
@@ -58,13 +47,14 @@ public:
   static void
   RegisterOneFactory()
   {
-    const auto factory = GmshMeshIOFactory::New();
-    ObjectFactoryBase::RegisterFactoryInternal(factory);
+    ObjectFactoryBase::RegisterFactoryInternal(Self::New());
   }
 
 protected:
-  GmshMeshIOFactory();
-  ~GmshMeshIOFactory() override;
+  GmshMeshIOFactory()
+    : Superclass("itkGmshMeshIO")
+  {}
+  ~GmshMeshIOFactory() override = default;
 };
 } // end namespace itk
 

@@ -18,11 +18,8 @@
 #ifndef itkMeditMeshIOFactory_h
 #define itkMeditMeshIOFactory_h
 
-#include "MultiMaterialMeshingExport.h"
-#include "itkMultiMaterialMeshCompatibility.h"
-
-#include "itkMeshIOBase.h"
-#include "itkObjectFactoryBase.h"
+#include "itkMeditMeshIO.h"
+#include "itkMeshIOFactoryOf.h"
 
 namespace itk
 {
@@ -31,22 +28,14 @@ namespace itk
  *
  * \ingroup MultiMaterialMeshing
  */
-class MultiMaterialMeshing_EXPORT MeditMeshIOFactory : public ObjectFactoryBase
+class MultiMaterialMeshing_EXPORT MeditMeshIOFactory : public MeshIOFactoryOf<MeditMeshIO>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(MeditMeshIOFactory);
-
   /** Standard class type aliases. */
   using Self = MeditMeshIOFactory;
-  using Superclass = ObjectFactoryBase;
+  using Superclass = MeshIOFactoryOf<MeditMeshIO>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-
-  const char *
-  GetITKSourceVersion() const override;
-
-  const char *
-  GetDescription() const override;
 
   /** Method for class instantiation. */
   itkFactorylessNewMacro(Self);
@@ -58,13 +47,14 @@ public:
   static void
   RegisterOneFactory()
   {
-    const auto factory = MeditMeshIOFactory::New();
-    ObjectFactoryBase::RegisterFactoryInternal(factory);
+    ObjectFactoryBase::RegisterFactoryInternal(Self::New());
   }
 
 protected:
-  MeditMeshIOFactory();
-  ~MeditMeshIOFactory() override;
+  MeditMeshIOFactory()
+    : Superclass("itkMeditMeshIO")
+  {}
+  ~MeditMeshIOFactory() override = default;
 };
 } // end namespace itk
 

@@ -18,11 +18,8 @@
 #ifndef itkVTUMeshIOFactory_h
 #define itkVTUMeshIOFactory_h
 
-#include "MultiMaterialMeshingExport.h"
-#include "itkMultiMaterialMeshCompatibility.h"
-
-#include "itkMeshIOBase.h"
-#include "itkObjectFactoryBase.h"
+#include "itkVTUMeshIO.h"
+#include "itkMeshIOFactoryOf.h"
 
 namespace itk
 {
@@ -31,22 +28,14 @@ namespace itk
  *
  * \ingroup MultiMaterialMeshing
  */
-class MultiMaterialMeshing_EXPORT VTUMeshIOFactory : public ObjectFactoryBase
+class MultiMaterialMeshing_EXPORT VTUMeshIOFactory : public MeshIOFactoryOf<VTUMeshIO>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(VTUMeshIOFactory);
-
   /** Standard class type aliases. */
   using Self = VTUMeshIOFactory;
-  using Superclass = ObjectFactoryBase;
+  using Superclass = MeshIOFactoryOf<VTUMeshIO>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
-
-  const char *
-  GetITKSourceVersion() const override;
-
-  const char *
-  GetDescription() const override;
 
   /** Method for class instantiation. */
   itkFactorylessNewMacro(Self);
@@ -58,13 +47,14 @@ public:
   static void
   RegisterOneFactory()
   {
-    const auto factory = VTUMeshIOFactory::New();
-    ObjectFactoryBase::RegisterFactoryInternal(factory);
+    ObjectFactoryBase::RegisterFactoryInternal(Self::New());
   }
 
 protected:
-  VTUMeshIOFactory();
-  ~VTUMeshIOFactory() override;
+  VTUMeshIOFactory()
+    : Superclass("itkVTUMeshIO")
+  {}
+  ~VTUMeshIOFactory() override = default;
 };
 } // end namespace itk
 

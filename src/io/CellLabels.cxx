@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "io/CellLabels.h"
-#include "io/vtu/VTUFormat.h"
+#include "io/ComponentType.h"
 
 #include <algorithm>
 #include <charconv>

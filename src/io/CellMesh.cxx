@@ -16,12 +16,11 @@
  *
  *=========================================================================*/
 #include "io/CellMesh.h"
-#include "io/vtu/VTUFormat.h"
+#include "io/CellBuffer.h"
 
 #include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <type_traits>
 
 namespace mmm
 {
@@ -39,42 +38,6 @@ FindShape(std::int64_t itkType, std::size_t corners)
                         " points; such cells cannot be written");
   }
   return static_cast<std::uint8_t>(shape - std::begin(CellShapes));
-}
-
-template <typename T>
-void
-SetCellsOf(CellMesh & mesh, const T * values, std::size_t bufferSize, std::size_t numberOfCells)
-{
-  const T * const end = values + bufferSize;
-  for (std::size_t i = 0; i < numberOfCells; ++i)
-  {
-    const auto fail = [i](const std::string & what) {
-      throw MeshFileError("its cell " + std::to_string(i) + ' ' + what);
-    };
-    if (end - values < 2 || static_cast<std::size_t>(values[1]) > static_cast<std::size_t>(end - values - 2))
-    {
-      fail("is not complete in its cell buffer");
-    }
-    const auto itkType = static_cast<std::int64_t>(*values++);
-    const auto corners = static_cast<std::size_t>(*values++);
-    try
-    {
-      mesh.shapes.push_back(FindShape(itkType, corners));
-    }
-    catch (const MeshFileError & error)
-    {
-      fail(error.what());
-    }
-    // Negative ones become too large and are found by CheckCorners().
-    std::transform(values, values + corners, std::back_inserter(mesh.corners), [](T corner) {
-      return static_cast<std::uint64_t>(corner);
-    });
-    values += corners;
-  }
-  if (values != end)
-  {
-    throw MeshFileError("its cell buffer has more than its cells");
-  }
 }
 } // namespace
 
@@ -159,17 +122,11 @@ SetCells(CellMesh &           mesh,
          std::size_t          bufferSize,
          std::size_t          numberOfCells)
 {
-  VisitComponentType(type, [&](auto zero) {
-    using T = decltype(zero);
-    if constexpr (std::is_integral_v<T>)
-    {
-      SetCellsOf(mesh, static_cast<const T *>(buffer), bufferSize, numberOfCells);
-    }
-    else
-    {
-      throw MeshFileError("its cells have point identifiers that are not integers");
-    }
-  });
+  VisitCells(
+    buffer, type, bufferSize, numberOfCells, [&](std::int64_t itkType, const std::vector<std::uint64_t> & points) {
+      mesh.shapes.push_back(FindShape(itkType, points.size()));
+      mesh.corners.insert(mesh.corners.end(), points.begin(), points.end());
+    });
 }
 
 std::vector<itk::IdentifierType>

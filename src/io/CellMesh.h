@@ -18,26 +18,20 @@
 #ifndef mmmCellMesh_h
 #define mmmCellMesh_h
 
+#include "io/MeshFileError.h"
+
 #include "itkCommonEnums.h"
 #include "itkIntTypes.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace mmm
 {
-/** What is wrong with a file, or with a mesh that is to become one; the mesh IOs make an itk::ExceptionObject of it. */
-class MeshFileError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /** A kind of cell that Gmsh's files have. Their corners are in the same order as ITK's. */
 struct CellShape
 {
@@ -115,7 +109,7 @@ SetPoints(CellMesh &           mesh,
           std::size_t          numberOfPoints,
           unsigned int         dimension);
 
-/** Takes cells as itk::MeshIOBase passes them. Throws MeshFileError if it cannot. */
+/** Takes cells as itk::MeshIOBase passes them. Throws MeshFileError if it cannot; CheckCorners() finds the rest. */
 void
 SetCells(CellMesh &           mesh,
          const void *         buffer,

@@ -16,12 +16,7 @@
  *
  *=========================================================================*/
 #include "io/FileComposer.h"
-
-#include "itkNumberToString.h"
-
-#include <charconv>
-#include <cmath>
-#include <type_traits>
+#include "io/NumberText.h"
 
 namespace mmm
 {
@@ -38,18 +33,9 @@ FileComposer::Number(T value)
   {
     m_Buffer.append(reinterpret_cast<const char *>(&value), sizeof value);
   }
-  else if constexpr (std::is_integral_v<T>)
-  {
-    char       word[24];
-    const auto end = std::to_chars(word, word + sizeof word, value).ptr;
-    m_Buffer.append(word, end).push_back(' ');
-  }
   else
   {
-    // As from_chars() takes them.
-    m_Buffer += std::isnan(value)   ? "nan"
-                : std::isinf(value) ? (value < 0 ? "-inf" : "inf")
-                                    : itk::NumberToString<T>()(value);
+    AppendNumber(m_Buffer, value);
     m_Buffer.push_back(' ');
   }
 }

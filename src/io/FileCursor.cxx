@@ -16,29 +16,19 @@
  *
  *=========================================================================*/
 #include "io/FileCursor.h"
+#include "io/NumberText.h"
 
 #include "itksys/FStream.hxx"
 #include "itksys/SystemTools.hxx"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
-#include <iterator>
-#include <locale>
-#include <sstream>
-#include <type_traits>
 
 namespace mmm
 {
 namespace
 {
 constexpr std::size_t quotedLength = 30;
-
-bool
-IsBlank(char c)
-{
-  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
 } // namespace
 
 std::string
@@ -113,23 +103,8 @@ template <typename T>
 T
 FileCursor::Parse(std::string_view word, const char * kind) const
 {
-  T    value{};
-  bool isParsed = false;
-#if !defined(__cpp_lib_to_chars)
-  // Some standard libraries have from_chars for integers only.
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    std::istringstream stream{ std::string(word) };
-    stream.imbue(std::locale::classic());
-    isParsed = static_cast<bool>(stream >> value) && stream.peek() == std::istringstream::traits_type::eof();
-  }
-  else
-#endif
-  {
-    const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
-    isParsed = parsed.ec == std::errc() && parsed.ptr == word.data() + word.size();
-  }
-  if (!isParsed)
+  T value{};
+  if (!ParseNumber(word, value))
   {
     this->Fail(Quoted(word) + " is not " + kind);
   }

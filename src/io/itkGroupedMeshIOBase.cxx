@@ -27,21 +27,12 @@
 #include <cstring>
 #include <exception>
 #include <limits>
-#include <new>
 #include <sstream>
 
 namespace itk
 {
 namespace
 {
-const char *
-ReasonOf(const std::exception & error)
-{
-  return dynamic_cast<const std::bad_alloc *>(&error) || dynamic_cast<const std::length_error *>(&error)
-           ? "not enough memory"
-           : error.what();
-}
-
 bool
 FitInts(const std::vector<std::int64_t> & values)
 {
@@ -55,16 +46,6 @@ bool
 HasGroups(const mmm::CellMesh & mesh)
 {
   return !mesh.names.empty() || std::any_of(mesh.tags.begin(), mesh.tags.end(), [](int tag) { return tag != 0; });
-}
-
-/** VisitComponentType() words its complaint for another format. */
-void
-CheckType(IOComponentEnum type)
-{
-  if (type == IOComponentEnum::UNKNOWNCOMPONENTTYPE)
-  {
-    throw mmm::MeshFileError("its values are of an unknown type");
-  }
 }
 } // namespace
 
@@ -139,7 +120,7 @@ GroupedMeshIOBase::ReadMeshInformation()
   }
   catch (const std::exception & error)
   {
-    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << ReasonOf(error));
+    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << mmm::ReasonOf(error));
   }
 }
 
@@ -221,7 +202,7 @@ GroupedMeshIOBase::WritePart(TBody body)
   }
   catch (const std::exception & error)
   {
-    m_WriteError = ReasonOf(error);
+    m_WriteError = mmm::ReasonOf(error);
   }
 }
 
@@ -229,7 +210,6 @@ void
 GroupedMeshIOBase::WritePoints(void * buffer)
 {
   this->WritePart([&](mmm::CellMesh & mesh) {
-    CheckType(m_PointComponentType);
     mmm::SetPoints(mesh, buffer, m_PointComponentType, m_NumberOfPoints, m_PointDimension);
   });
 }
@@ -237,10 +217,8 @@ GroupedMeshIOBase::WritePoints(void * buffer)
 void
 GroupedMeshIOBase::WriteCells(void * buffer)
 {
-  this->WritePart([&](mmm::CellMesh & mesh) {
-    CheckType(m_CellComponentType);
-    mmm::SetCells(mesh, buffer, m_CellComponentType, m_CellBufferSize, m_NumberOfCells);
-  });
+  this->WritePart(
+    [&](mmm::CellMesh & mesh) { mmm::SetCells(mesh, buffer, m_CellComponentType, m_CellBufferSize, m_NumberOfCells); });
 }
 
 void
@@ -253,7 +231,6 @@ void
 GroupedMeshIOBase::WriteCellData(void * buffer)
 {
   this->WritePart([&](mmm::CellMesh & mesh) {
-    CheckType(m_CellPixelComponentType);
     if (m_NumberOfCellPixels != mesh.shapes.size())
     {
       throw mmm::MeshFileError("it has data of " + std::to_string(m_NumberOfCellPixels) + " cells, but " +

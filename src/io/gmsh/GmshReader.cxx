@@ -19,9 +19,6 @@
 #include "io/gmsh/GmshReader2.h"
 #include "io/gmsh/GmshReader4.h"
 
-#include <algorithm>
-#include <iterator>
-#include <memory>
 #include <string>
 
 namespace mmm
@@ -41,105 +38,86 @@ ReadByteOrder(FileCursor & cursor)
   }
   cursor.SetBinary(value != 1);
 }
-} // namespace
 
 void
-GmshReader::AddNode(std::uint64_t number)
-{
-  m_Nodes.Add(number);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    m_Mesh.points.push_back(m_Cursor.Real());
-  }
-}
-
-std::uint8_t
-GmshReader::FindShape(int gmshType) const
-{
-  const auto shape = std::find_if(std::begin(CellShapes), std::end(CellShapes), [&](const CellShape & candidate) {
-    return candidate.gmshType == gmshType;
-  });
-  if (shape == std::end(CellShapes))
-  {
-    m_Cursor.Fail("there is an element of Gmsh's type " + std::to_string(gmshType) +
-                  "; points, lines, triangles, quadrangles, tetrahedra and hexahedra of first order are read");
-  }
-  return static_cast<std::uint8_t>(shape - std::begin(CellShapes));
-}
-
-void
-GmshReader::ReadPhysicalNames()
+ReadPhysicalNames(FileCursor & cursor, GroupNames & names)
 {
   // These are text in binary files, too.
-  const std::uint64_t count = m_Cursor.SizeWord();
+  const std::uint64_t count = cursor.SizeWord();
   for (std::uint64_t i = 0; i < count; ++i)
   {
-    const int              dimension = m_Cursor.IntWord();
-    const int              tag = m_Cursor.IntWord();
-    const std::string_view line = m_Cursor.Line();
+    const int              dimension = cursor.IntWord();
+    const int              tag = cursor.IntWord();
+    const std::string_view line = cursor.Line();
     const auto             begin = line.find('"');
     const auto             end = line.rfind('"');
     if (begin == std::string_view::npos || begin == end)
     {
-      m_Cursor.Fail("a physical group has no name in quotation marks");
+      cursor.Fail("a physical group has no name in quotation marks");
     }
-    m_Mesh.names[{ dimension, tag }] = std::string(line.substr(begin + 1, end - begin - 1));
+    names[{ dimension, tag }] = std::string(line.substr(begin + 1, end - begin - 1));
   }
 }
 
 void
-GmshReader::ReadSections()
+ReadSections(GmshContext & gmsh, bool isVersion2)
 {
   bool hasNodes = false;
   bool hasElements = false;
-  while (!m_Cursor.AtEnd())
+  while (!gmsh.cursor.AtEnd())
   {
-    const std::string section(m_Cursor.Word());
+    const std::string section(gmsh.cursor.Word());
     if (section.size() < 2 || section.front() != '$')
     {
-      m_Cursor.Fail(Quoted(section) + " is no section");
+      gmsh.cursor.Fail(Quoted(section) + " is no section");
     }
-    m_Cursor.Line();
+    gmsh.cursor.Line();
     if (section == "$PhysicalNames")
     {
-      this->ReadPhysicalNames();
+      ReadPhysicalNames(gmsh.cursor, gmsh.mesh.names);
     }
     else if (section == "$Entities")
     {
-      this->ReadEntities();
+      if (isVersion2)
+      {
+        gmsh.cursor.Fail("there are $Entities, which this version does not have");
+      }
+      ReadEntities4(gmsh);
     }
     else if (section == "$Nodes" && !hasNodes)
     {
       hasNodes = true;
-      this->ReadNodes();
-      m_Nodes.Finish();
+      isVersion2 ? ReadNodes2(gmsh) : ReadNodes4(gmsh);
+      gmsh.nodes.Finish();
     }
     else if (section == "$Elements" && hasNodes && !hasElements)
     {
       hasElements = true;
-      this->ReadElements();
+      isVersion2 ? ReadElements2(gmsh) : ReadElements4(gmsh);
     }
     else if (section == "$Nodes" || section == "$Elements")
     {
-      m_Cursor.Fail("there is a second section " + section + ", or one before its nodes");
+      gmsh.cursor.Fail("there is a second section " + section + ", or one before its nodes");
     }
     else
     {
-      m_Cursor.SkipPast("$End" + section.substr(1));
+      gmsh.cursor.SkipPast("$End" + section.substr(1));
       continue;
     }
-    m_Cursor.Expect("$End" + section.substr(1));
+    gmsh.cursor.Expect("$End" + section.substr(1));
   }
   if (!hasNodes || !hasElements)
   {
-    m_Cursor.Fail("the file ends without " + std::string(hasNodes ? "$Elements" : "$Nodes"));
+    gmsh.cursor.Fail("the file ends without " + std::string(hasNodes ? "$Elements" : "$Nodes"));
   }
 }
+} // namespace
 
 bool
 ReadGmsh(std::string_view bytes, CellMesh & mesh)
 {
-  FileCursor cursor(bytes);
+  GmshContext  gmsh{ FileCursor(bytes), mesh, {}, {}, {} };
+  FileCursor & cursor = gmsh.cursor;
   cursor.Expect("$MeshFormat");
   const std::string version(cursor.Word());
   const int         isBinary = cursor.IntWord();
@@ -152,16 +130,8 @@ ReadGmsh(std::string_view bytes, CellMesh & mesh)
   {
     cursor.Fail("the file type is " + std::to_string(isBinary) + "; it has to be 0 (text) or 1 (binary)");
   }
-  std::unique_ptr<GmshReader> reader;
-  if (version == "4.1")
-  {
-    reader = std::make_unique<GmshReader4>(cursor, mesh);
-  }
-  else if (version == "2" || (version.size() == 3 && version.compare(0, 2, "2.") == 0))
-  {
-    reader = std::make_unique<GmshReader2>(cursor, mesh);
-  }
-  else
+  const bool isVersion2 = version == "2" || (version.size() == 3 && version.compare(0, 2, "2.") == 0);
+  if (!isVersion2 && version != "4.1")
   {
     cursor.Fail("the version is " + Quoted(version) + "; 2.2 and 4.1 are read");
   }
@@ -170,8 +140,8 @@ ReadGmsh(std::string_view bytes, CellMesh & mesh)
     ReadByteOrder(cursor);
   }
   cursor.Expect("$EndMeshFormat");
-  reader->ReadSections();
-  SortCells(mesh, reader->m_ElementNumbers);
-  return !reader->DropsGroups();
+  ReadSections(gmsh, isVersion2);
+  SortCells(mesh, gmsh.elementNumbers);
+  return !gmsh.dropsGroups;
 }
 } // namespace mmm

@@ -19,66 +19,11 @@
 #define mmmGmshReader_h
 
 #include "io/CellMesh.h"
-#include "io/FileCursor.h"
-#include "io/gmsh/GmshNodes.h"
 
-#include <cstdint>
-#include <map>
 #include <string_view>
-#include <vector>
 
 namespace mmm
 {
-/** \brief Reads the mesh of a Gmsh file. Subclasses read the sections that differ between the format's versions. */
-class GmshReader
-{
-public:
-  virtual ~GmshReader() = default;
-
-  /** Entities that belong to several physical groups, of which the mesh has the first. */
-  bool
-  DropsGroups() const
-  {
-    return m_DropsGroups;
-  }
-
-protected:
-  GmshReader(FileCursor & cursor, CellMesh & mesh)
-    : m_Cursor(cursor)
-    , m_Mesh(mesh)
-  {}
-
-  virtual void
-  ReadEntities() = 0;
-  virtual void
-  ReadNodes() = 0;
-  virtual void
-  ReadElements() = 0;
-
-  /** The next numbers are those of the coordinates of this node. */
-  void
-  AddNode(std::uint64_t number);
-
-  /** The place in CellShapes of Gmsh's type of element. Throws MeshFileError if it has none. */
-  std::uint8_t
-  FindShape(int gmshType) const;
-
-  FileCursor &               m_Cursor;
-  CellMesh &                 m_Mesh;
-  GmshNodes                  m_Nodes;
-  std::vector<std::uint64_t> m_ElementNumbers;
-  bool                       m_DropsGroups{ false };
-
-private:
-  friend bool
-  ReadGmsh(std::string_view bytes, CellMesh & mesh);
-
-  void
-  ReadPhysicalNames();
-  void
-  ReadSections();
-};
-
 /** Reads a .msh file of version 2.2 or 4.1, text or binary. Throws MeshFileError. Returns whether each cell is in one
  * physical group at most; if not, the first one counts. */
 bool

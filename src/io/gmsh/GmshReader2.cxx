@@ -19,77 +19,74 @@
 
 namespace mmm
 {
-void
-GmshReader2::ReadEntities()
+namespace
 {
-  m_Cursor.Fail("there are $Entities, which this version does not have");
+/** The count that a section begins with, in text always. */
+std::uint64_t
+ReadCount(FileCursor & cursor)
+{
+  const std::uint64_t count = cursor.SizeWord();
+  if (cursor.IsBinary())
+  {
+    cursor.Line();
+  }
+  return count;
 }
 
 void
-GmshReader2::ReadNodes()
-{
-  const std::uint64_t count = m_Cursor.SizeWord();
-  if (m_Cursor.IsBinary())
-  {
-    m_Cursor.Line();
-  }
-  m_Cursor.CheckCount(count, 4, 4 + 3 * 8, "nodes");
-  m_Mesh.points.reserve(3 * count);
-  for (std::uint64_t i = 0; i < count; ++i)
-  {
-    this->AddNode(static_cast<std::uint32_t>(m_Cursor.Int()));
-  }
-}
-
-void
-GmshReader2::ReadElement(std::uint8_t shape, int numberOfTags)
+ReadElement(GmshContext & gmsh, std::uint64_t number, std::uint8_t shape, int numberOfTags)
 {
   int physical = 0;
   for (int i = 0; i < numberOfTags; ++i)
   {
-    const int tag = m_Cursor.Int();
+    const int tag = gmsh.cursor.Int();
     physical = i == 0 ? tag : physical;
   }
-  m_Mesh.shapes.push_back(shape);
-  m_Mesh.tags.push_back(physical);
-  for (std::size_t corner = 0; corner < CellShapes[shape].corners; ++corner)
+  gmsh.AddElement(number, shape, physical, [&] { return static_cast<std::uint32_t>(gmsh.cursor.Int()); });
+}
+} // namespace
+
+void
+ReadNodes2(GmshContext & gmsh)
+{
+  const std::uint64_t count = ReadCount(gmsh.cursor);
+  gmsh.cursor.CheckCount(count, 4, 4 + 3 * 8, "nodes");
+  gmsh.mesh.points.reserve(3 * count);
+  for (std::uint64_t i = 0; i < count; ++i)
   {
-    m_Mesh.corners.push_back(m_Nodes.Find(static_cast<std::uint32_t>(m_Cursor.Int())));
+    gmsh.AddNode(static_cast<std::uint32_t>(gmsh.cursor.Int()));
   }
 }
 
 void
-GmshReader2::ReadElements()
+ReadElements2(GmshContext & gmsh)
 {
-  const std::uint64_t count = m_Cursor.SizeWord();
-  if (m_Cursor.IsBinary())
-  {
-    m_Cursor.Line();
-  }
+  const std::uint64_t count = ReadCount(gmsh.cursor);
   // A number and a corner at least.
-  m_Cursor.CheckCount(count, 2, 8, "elements");
-  while (m_Mesh.shapes.size() < count)
+  gmsh.cursor.CheckCount(count, 2, 8, "elements");
+  while (gmsh.mesh.shapes.size() < count)
   {
-    if (m_Cursor.IsBinary())
+    if (gmsh.cursor.IsBinary())
     {
-      const std::uint8_t shape = this->FindShape(m_Cursor.Int());
-      const int          inBlock = m_Cursor.Int();
-      const int          numberOfTags = m_Cursor.Int();
-      if (inBlock < 1 || static_cast<std::uint64_t>(inBlock) > count - m_Mesh.shapes.size())
+      const std::uint8_t shape = gmsh.FindShape(gmsh.cursor.Int());
+      const int          inBlock = gmsh.cursor.Int();
+      const int          numberOfTags = gmsh.cursor.Int();
+      if (inBlock < 1 || static_cast<std::uint64_t>(inBlock) > count - gmsh.mesh.shapes.size())
       {
-        m_Cursor.Fail("a block has " + std::to_string(inBlock) + " elements, which is not what the section announces");
+        gmsh.cursor.Fail("a block has " + std::to_string(inBlock) +
+                         " elements, which is not what the section announces");
       }
       for (int i = 0; i < inBlock; ++i)
       {
-        m_ElementNumbers.push_back(static_cast<std::uint32_t>(m_Cursor.Int()));
-        this->ReadElement(shape, numberOfTags);
+        const auto number = static_cast<std::uint32_t>(gmsh.cursor.Int());
+        ReadElement(gmsh, number, shape, numberOfTags);
       }
     }
     else
     {
-      m_ElementNumbers.push_back(static_cast<std::uint32_t>(m_Cursor.Int()));
-      const std::uint8_t shape = this->FindShape(m_Cursor.Int());
-      this->ReadElement(shape, m_Cursor.Int());
+      const auto         number = static_cast<std::uint32_t>(gmsh.cursor.Int());
+      const std::uint8_t shape = gmsh.FindShape(gmsh.cursor.Int());
+      ReadElement(gmsh, number, shape, gmsh.cursor.Int());
     }
   }
 }

@@ -18,30 +18,15 @@
 #ifndef mmmGmshReader2_h
 #define mmmGmshReader2_h
 
-#include "io/gmsh/GmshReader.h"
+#include "io/gmsh/GmshContext.h"
 
 namespace mmm
 {
-/** \brief The sections of version 2.2. */
-class GmshReader2 : public GmshReader
-{
-public:
-  GmshReader2(FileCursor & cursor, CellMesh & mesh)
-    : GmshReader(cursor, mesh)
-  {}
-
-protected:
-  void
-  ReadEntities() override;
-  void
-  ReadNodes() override;
-  void
-  ReadElements() override;
-
-private:
-  void
-  ReadElement(std::uint8_t shape, int numberOfTags);
-};
+/** The sections of version 2.2. */
+void
+ReadNodes2(GmshContext & gmsh);
+void
+ReadElements2(GmshContext & gmsh);
 } // namespace mmm
 
 #endif

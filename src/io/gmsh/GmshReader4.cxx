@@ -23,131 +23,130 @@
 
 namespace mmm
 {
-void
-GmshReader4::ReadEntity(int dimension)
+namespace
 {
-  const int tag = m_Cursor.Int();
+void
+ReadEntity(GmshContext & gmsh, int dimension)
+{
+  const int tag = gmsh.cursor.Int();
   // A point has its coordinates, all others a box.
   for (int i = 0; i < (dimension == 0 ? 3 : 6); ++i)
   {
-    m_Cursor.Real();
+    gmsh.cursor.Real();
   }
-  const std::uint64_t groups = m_Cursor.Size();
-  m_Cursor.CheckCount(groups, 1, 4, "physical groups of an entity");
+  const std::uint64_t groups = gmsh.cursor.Size();
+  gmsh.cursor.CheckCount(groups, 1, 4, "physical groups of an entity");
   for (std::uint64_t i = 0; i < groups; ++i)
   {
     // The sign is that of the entity's orientation.
-    const int  group = std::abs(std::max(m_Cursor.Int(), -std::numeric_limits<int>::max()));
-    const bool isFirst = m_Groups.emplace(std::make_pair(dimension, tag), group).second;
-    m_DropsGroups = m_DropsGroups || !isFirst;
+    const int  group = std::abs(std::max(gmsh.cursor.Int(), -std::numeric_limits<int>::max()));
+    const bool isFirst = gmsh.groups.emplace(std::make_pair(dimension, tag), group).second;
+    gmsh.dropsGroups = gmsh.dropsGroups || !isFirst;
   }
   if (dimension > 0)
   {
-    const std::uint64_t bounds = m_Cursor.Size();
-    m_Cursor.CheckCount(bounds, 1, 4, "bounds of an entity");
+    const std::uint64_t bounds = gmsh.cursor.Size();
+    gmsh.cursor.CheckCount(bounds, 1, 4, "bounds of an entity");
     for (std::uint64_t i = 0; i < bounds; ++i)
     {
-      m_Cursor.Int();
+      gmsh.cursor.Int();
     }
   }
 }
 
+} // namespace
+
 void
-GmshReader4::ReadEntities()
+ReadEntities4(GmshContext & gmsh)
 {
   std::uint64_t counts[4];
   for (std::uint64_t & count : counts)
   {
-    count = m_Cursor.Size();
+    count = gmsh.cursor.Size();
   }
   for (int dimension = 0; dimension < 4; ++dimension)
   {
-    m_Cursor.CheckCount(counts[dimension], 5, 4 + 3 * 8 + 8, "entities");
+    gmsh.cursor.CheckCount(counts[dimension], 5, 4 + 3 * 8 + 8, "entities");
     for (std::uint64_t i = 0; i < counts[dimension]; ++i)
     {
-      this->ReadEntity(dimension);
+      ReadEntity(gmsh, dimension);
     }
   }
 }
 
 void
-GmshReader4::ReadNodes()
+ReadNodes4(GmshContext & gmsh)
 {
-  const std::uint64_t blocks = m_Cursor.Size();
-  const std::uint64_t count = m_Cursor.Size();
-  m_Cursor.Size(); // the lowest number of a node
-  m_Cursor.Size(); // the highest one
-  m_Cursor.CheckCount(count, 4, 8 + 3 * 8, "nodes");
-  m_Mesh.points.reserve(3 * count);
+  const std::uint64_t blocks = gmsh.cursor.Size();
+  const std::uint64_t count = gmsh.cursor.Size();
+  gmsh.cursor.Size(); // the lowest number of a node
+  gmsh.cursor.Size(); // the highest one
+  gmsh.cursor.CheckCount(count, 4, 8 + 3 * 8, "nodes");
+  gmsh.mesh.points.reserve(3 * count);
   std::vector<std::uint64_t> numbers;
   for (std::uint64_t block = 0; block < blocks; ++block)
   {
-    const int dimension = m_Cursor.Int();
-    m_Cursor.Int(); // the entity's tag
-    const int           hasParameters = m_Cursor.Int();
-    const std::uint64_t inBlock = m_Cursor.Size();
-    m_Cursor.CheckCount(inBlock, 4, 8 + 3 * 8, "nodes in a block");
+    const int dimension = gmsh.cursor.Int();
+    gmsh.cursor.Int(); // the entity's tag
+    const int           hasParameters = gmsh.cursor.Int();
+    const std::uint64_t inBlock = gmsh.cursor.Size();
+    gmsh.cursor.CheckCount(inBlock, 4, 8 + 3 * 8, "nodes in a block");
     numbers.clear();
     for (std::uint64_t i = 0; i < inBlock; ++i)
     {
-      numbers.push_back(m_Cursor.Size());
+      numbers.push_back(gmsh.cursor.Size());
     }
     for (const std::uint64_t number : numbers)
     {
-      this->AddNode(number);
+      gmsh.AddNode(number);
       for (int i = 0; hasParameters != 0 && i < dimension; ++i)
       {
-        m_Cursor.Real();
+        gmsh.cursor.Real();
       }
     }
   }
-  if (m_Mesh.NumberOfPoints() != count)
+  if (gmsh.mesh.NumberOfPoints() != count)
   {
-    m_Cursor.Fail("there are " + std::to_string(m_Mesh.NumberOfPoints()) + " nodes, where " + std::to_string(count) +
-                  " are announced");
+    gmsh.cursor.Fail("there are " + std::to_string(gmsh.mesh.NumberOfPoints()) + " nodes, where " +
+                     std::to_string(count) + " are announced");
   }
 }
 
 void
-GmshReader4::ReadElements()
+ReadElements4(GmshContext & gmsh)
 {
-  const std::uint64_t blocks = m_Cursor.Size();
-  const std::uint64_t count = m_Cursor.Size();
-  m_Cursor.Size(); // the lowest number of an element
-  m_Cursor.Size(); // the highest one
-  m_Cursor.CheckCount(count, 2, 16, "elements");
-  m_Mesh.shapes.reserve(count);
-  m_Mesh.tags.reserve(count);
-  m_ElementNumbers.reserve(count);
+  const std::uint64_t blocks = gmsh.cursor.Size();
+  const std::uint64_t count = gmsh.cursor.Size();
+  gmsh.cursor.Size(); // the lowest number of an element
+  gmsh.cursor.Size(); // the highest one
+  gmsh.cursor.CheckCount(count, 2, 16, "elements");
+  gmsh.mesh.shapes.reserve(count);
+  gmsh.mesh.tags.reserve(count);
+  gmsh.elementNumbers.reserve(count);
   for (std::uint64_t block = 0; block < blocks; ++block)
   {
-    const int           dimension = m_Cursor.Int();
-    const int           entity = m_Cursor.Int();
-    const std::uint8_t  shape = this->FindShape(m_Cursor.Int());
-    const std::uint64_t inBlock = m_Cursor.Size();
+    const int           dimension = gmsh.cursor.Int();
+    const int           entity = gmsh.cursor.Int();
+    const std::uint8_t  shape = gmsh.FindShape(gmsh.cursor.Int());
+    const std::uint64_t inBlock = gmsh.cursor.Size();
     const std::size_t   corners = CellShapes[shape].corners;
-    m_Cursor.CheckCount(inBlock, 1 + corners, 8 * (1 + corners), "elements in a block");
+    gmsh.cursor.CheckCount(inBlock, 1 + corners, 8 * (1 + corners), "elements in a block");
     if (dimension != CellShapes[shape].dimension)
     {
-      m_Cursor.Fail("the elements of an entity of dimension " + std::to_string(dimension) + " have another one");
+      gmsh.cursor.Fail("the elements of an entity of dimension " + std::to_string(dimension) + " have another one");
     }
-    const auto group = m_Groups.find({ dimension, entity });
-    const int  tag = group == m_Groups.end() ? 0 : group->second;
+    const auto group = gmsh.groups.find({ dimension, entity });
+    const int  tag = group == gmsh.groups.end() ? 0 : group->second;
     for (std::uint64_t i = 0; i < inBlock; ++i)
     {
-      m_ElementNumbers.push_back(m_Cursor.Size());
-      m_Mesh.shapes.push_back(shape);
-      m_Mesh.tags.push_back(tag);
-      for (std::size_t corner = 0; corner < corners; ++corner)
-      {
-        m_Mesh.corners.push_back(m_Nodes.Find(m_Cursor.Size()));
-      }
+      const std::uint64_t number = gmsh.cursor.Size();
+      gmsh.AddElement(number, shape, tag, [&] { return gmsh.cursor.Size(); });
     }
   }
-  if (m_Mesh.shapes.size() != count)
+  if (gmsh.mesh.shapes.size() != count)
   {
-    m_Cursor.Fail("there are " + std::to_string(m_Mesh.shapes.size()) + " elements, where " + std::to_string(count) +
-                  " are announced");
+    gmsh.cursor.Fail("there are " + std::to_string(gmsh.mesh.shapes.size()) + " elements, where " +
+                     std::to_string(count) + " are announced");
   }
 }
 } // namespace mmm

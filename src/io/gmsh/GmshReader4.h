@@ -18,36 +18,17 @@
 #ifndef mmmGmshReader4_h
 #define mmmGmshReader4_h
 
-#include "io/gmsh/GmshReader.h"
-
-#include <map>
-#include <utility>
+#include "io/gmsh/GmshContext.h"
 
 namespace mmm
 {
-/** \brief The sections of version 4.1. Cells belong to entities, and these to physical groups. */
-class GmshReader4 : public GmshReader
-{
-public:
-  GmshReader4(FileCursor & cursor, CellMesh & mesh)
-    : GmshReader(cursor, mesh)
-  {}
-
-protected:
-  void
-  ReadEntities() override;
-  void
-  ReadNodes() override;
-  void
-  ReadElements() override;
-
-private:
-  void
-  ReadEntity(int dimension);
-
-  /** The first physical group of an entity, by its dimension and tag. */
-  std::map<std::pair<int, int>, int> m_Groups;
-};
+/** The sections of version 4.1. Cells belong to entities, and these to physical groups. */
+void
+ReadEntities4(GmshContext & gmsh);
+void
+ReadNodes4(GmshContext & gmsh);
+void
+ReadElements4(GmshContext & gmsh);
 } // namespace mmm
 
 #endif

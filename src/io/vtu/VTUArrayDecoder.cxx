@@ -17,17 +17,15 @@
  *=========================================================================*/
 #include "io/vtu/VTUArrayDecoder.h"
 #include "base/Parallel.h"
+#include "io/NumberText.h"
 #include "io/vtu/VTUByteReader.h"
 
 #include "itkByteSwapper.h"
 #include "itk_zlib.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <type_traits>
 
 namespace mmm
@@ -53,7 +51,8 @@ ReverseEach(void * values, std::size_t count, std::size_t size)
 [[noreturn]] void
 ThrowUnexpectedCount(std::uint64_t announced, std::uint64_t expected)
 {
-  throw VTUError("holds " + std::to_string(announced) + " values, where " + std::to_string(expected) + " are expected");
+  throw MeshFileError("holds " + std::to_string(announced) + " values, where " + std::to_string(expected) +
+                      " are expected");
 }
 
 // Memory is allocated only for what was found to be in the file.
@@ -88,11 +87,11 @@ private:
     }
     if (!document.appendedBegin || !array.offset)
     {
-      throw VTUError("is said to be appended, but the file does not say where");
+      throw MeshFileError("is said to be appended, but the file does not say where");
     }
     if (*array.offset > document.fileSize - *document.appendedBegin)
     {
-      throw VTUError("begins beyond the end of the file");
+      throw MeshFileError("begins beyond the end of the file");
     }
     return *document.appendedBegin + *array.offset;
   }
@@ -124,7 +123,7 @@ private:
   {
     if (bytes % valueSize != 0)
     {
-      throw VTUError("ends in the middle of a value");
+      throw MeshFileError("ends in the middle of a value");
     }
     if (expected && bytes / valueSize != *expected)
     {
@@ -145,7 +144,7 @@ private:
   {
     if (size > m_Reader.Available())
     {
-      throw VTUError("announces " + std::to_string(size) + " bytes, but the file ends before them");
+      throw MeshFileError("announces " + std::to_string(size) + " bytes, but the file ends before them");
     }
     std::vector<unsigned char> bytes(static_cast<std::size_t>(size));
     m_Reader.Read(bytes.data(), bytes.size());
@@ -167,12 +166,12 @@ BinaryArray::ReadCompressed(std::optional<std::uint64_t> expected, std::size_t v
   const std::uint64_t lastSize = this->ReadHeaderNumber();
   if (blocks > m_Reader.Available() / m_Document.headerSize)
   {
-    throw VTUError("announces " + std::to_string(blocks) + " blocks, but the file ends before them");
+    throw MeshFileError("announces " + std::to_string(blocks) + " blocks, but the file ends before them");
   }
   if (lastSize > blockSize || blockSize > std::numeric_limits<std::uint32_t>::max() ||
       blocks > std::numeric_limits<std::uint32_t>::max())
   {
-    throw VTUError("has blocks of an impossible size");
+    throw MeshFileError("has blocks of an impossible size");
   }
   const std::uint64_t missing = blocks > 0 && lastSize > 0 ? blockSize - lastSize : 0;
   const std::uint64_t size = blocks * blockSize - missing;
@@ -189,12 +188,12 @@ BinaryArray::ReadCompressed(std::optional<std::uint64_t> expected, std::size_t v
     const std::uint64_t compressedSize = this->ReadHeaderNumber();
     if (compressedSize > m_Reader.Available() || sizeOfBlock(block) / largestRatio > compressedSize)
     {
-      throw VTUError("has a compressed block of an impossible size");
+      throw MeshFileError("has a compressed block of an impossible size");
     }
     begins.push_back(begins.back() + static_cast<std::size_t>(compressedSize));
     if (begins.back() > m_Reader.Available())
     {
-      throw VTUError("announces more compressed bytes than the file has");
+      throw MeshFileError("announces more compressed bytes than the file has");
     }
   }
 
@@ -213,48 +212,27 @@ BinaryArray::ReadCompressed(std::optional<std::uint64_t> expected, std::size_t v
                                     compressedSize);
       if (status != Z_OK || blockBytes != sizeOfBlock(block))
       {
-        throw VTUError("has a compressed block that is damaged");
+        throw MeshFileError("has a compressed block that is damaged");
       }
     }
   });
   return bytes;
 }
 
-template <typename T>
-bool
-ParseWord(const char * begin, const char * end, T & value)
-{
-#if !defined(__cpp_lib_to_chars)
-  // Some standard libraries have from_chars for integers only.
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    std::istringstream stream(std::string(begin, end));
-    stream.imbue(std::locale::classic());
-    return static_cast<bool>(stream >> value) && stream.peek() == std::istringstream::traits_type::eof();
-  }
-  else
-#endif
-  {
-    const auto parsed = std::from_chars(begin, end, value);
-    return parsed.ec == std::errc() && parsed.ptr == end;
-  }
-}
-
-/** Calls body(begin, end) for each word of the text of an array. */
+/** Calls body(word) for each word of the text of an array. */
 template <typename TBody>
 void
 ForEachWord(std::istream & file, const VTUArray & array, TBody body)
 {
-  const auto  isBlank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
   std::string text(static_cast<std::size_t>(array.end - array.begin), ' ');
   VTUByteReader(file, array.begin, array.end, false).Read(text.data(), text.size());
   const char * const end = text.data() + text.size();
-  const char *       word = std::find_if_not(static_cast<const char *>(text.data()), end, isBlank);
+  const char *       word = std::find_if_not(static_cast<const char *>(text.data()), end, IsBlank);
   while (word != end)
   {
-    const char * const wordEnd = std::find_if(word, end, isBlank);
-    body(word, wordEnd);
-    word = std::find_if_not(wordEnd, end, isBlank);
+    const char * const wordEnd = std::find_if(word, end, IsBlank);
+    body(std::string_view(word, wordEnd - word));
+    word = std::find_if_not(wordEnd, end, IsBlank);
   }
 }
 
@@ -266,16 +244,16 @@ ReadText(std::istream & file, const VTUArray & array, std::optional<std::uint64_
   const std::uint64_t most = (array.end - array.begin) / 2 + 1;
   if (expected && *expected > most)
   {
-    throw VTUError("is too short for the " + std::to_string(*expected) + " values that are expected");
+    throw MeshFileError("is too short for the " + std::to_string(*expected) + " values that are expected");
   }
   std::vector<unsigned char> bytes;
   bytes.reserve(static_cast<std::size_t>(expected.value_or(0)) * sizeof(T));
-  ForEachWord(file, array, [&](const char * begin, const char * end) {
+  ForEachWord(file, array, [&](std::string_view word) {
     // Bytes are numbers here, not characters.
     std::conditional_t<sizeof(T) == 1, int, T> value{};
-    if (!ParseWord(begin, end, value) || (sizeof(T) == 1 && static_cast<T>(value) != value))
+    if (!ParseNumber(word, value) || (sizeof(T) == 1 && static_cast<T>(value) != value))
     {
-      throw VTUError("has \"" + std::string(begin, std::min(end, begin + 20)) + "\" where a number is expected");
+      throw MeshFileError("has \"" + std::string(word.substr(0, 20)) + "\" where a number is expected");
     }
     const auto         stored = static_cast<T>(value);
     const auto * const first = reinterpret_cast<const unsigned char *>(&stored);
@@ -316,7 +294,7 @@ ReadValues(std::istream &               file,
     }
     else
     {
-      throw VTUError("has the unknown format \"" + array.format + '"');
+      throw MeshFileError("has the unknown format \"" + array.format + '"');
     }
     values.count = values.bytes.size() / sizeof(T);
   });
@@ -336,7 +314,7 @@ VTUValues::IntegerAt(std::size_t index) const
     }
     else
     {
-      throw VTUError("has values that are not integers");
+      throw MeshFileError("has values that are not integers");
     }
   });
 }
@@ -351,9 +329,9 @@ ReadVTUArray(std::istream &               file,
   {
     return ReadValues(file, document, array, expected);
   }
-  catch (const VTUError & error)
+  catch (const MeshFileError & error)
   {
-    throw VTUError("its array \"" + array.name + "\" " + error.what());
+    throw MeshFileError("its array \"" + array.name + "\" " + error.what());
   }
 }
 

@@ -47,8 +47,9 @@ struct VTUValues
   IntegerAt(std::size_t index) const;
 };
 
-/** Reads the values of an array. Throws VTUError if they are damaged, or if there are not as many as expected, which is
- * found before memory is allocated for them. Without expectation as many are read as the array announces and has. */
+/** Reads the values of an array. Throws MeshFileError if they are damaged, or if there are not as many as expected,
+ * which is found before memory is allocated for them. Without expectation as many are read as the array announces and
+ * has. */
 VTUValues
 ReadVTUArray(std::istream &               file,
              const VTUDocument &          document,

@@ -19,13 +19,10 @@
 #include "base/Parallel.h"
 #include "io/vtu/VTUFormat.h"
 
-#include "itkNumberToString.h"
 #include "itk_zlib.h"
 #include "itksys/Base64.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace mmm
 {
@@ -48,7 +45,7 @@ Compress(const unsigned char * bytes, std::size_t size)
   std::vector<unsigned char> compressed(compressedSize);
   if (compress2(compressed.data(), &compressedSize, bytes, static_cast<uLong>(size), Z_BEST_SPEED) != Z_OK)
   {
-    throw VTUError("zlib failed to compress a block");
+    throw MeshFileError("zlib failed to compress a block");
   }
   compressed.resize(compressedSize);
   return compressed;
@@ -97,53 +94,13 @@ VTUArrayEncoder::Finish()
 }
 
 void
-VTUArrayEncoder::PushText(long long value)
-{
-  char       word[24];
-  const auto end = std::to_chars(word, word + sizeof word, value).ptr;
-  this->PushWord(word, end - word);
-}
-
-void
-VTUArrayEncoder::PushText(unsigned long long value)
-{
-  char       word[24];
-  const auto end = std::to_chars(word, word + sizeof word, value).ptr;
-  this->PushWord(word, end - word);
-}
-
-template <typename T>
-void
-VTUArrayEncoder::PushReal(T value)
-{
-  // VTK's words for what is no number.
-  const std::string word = std::isnan(value)   ? "nan"
-                           : std::isinf(value) ? (value < 0 ? "-inf" : "inf")
-                                               : itk::NumberToString<T>()(value);
-  this->PushWord(word.data(), word.size());
-}
-
-void
-VTUArrayEncoder::PushText(float value)
-{
-  this->PushReal(value);
-}
-
-void
-VTUArrayEncoder::PushText(double value)
-{
-  this->PushReal(value);
-}
-
-void
-VTUArrayEncoder::PushWord(const char * begin, std::size_t size)
+VTUArrayEncoder::BeginWord()
 {
   if (m_Column > 0)
   {
     m_Text += m_Column % valuesPerLine == 0 ? '\n' : ' ';
   }
   ++m_Column;
-  m_Text.append(begin, size);
 }
 
 void

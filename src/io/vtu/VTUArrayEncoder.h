@@ -18,11 +18,12 @@
 #ifndef mmmVTUArrayEncoder_h
 #define mmmVTUArrayEncoder_h
 
+#include "io/NumberText.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace mmm
@@ -49,15 +50,8 @@ public:
   {
     if (m_Encoding == VTUEncoding::Text)
     {
-      if constexpr (std::is_floating_point_v<T>)
-      {
-        this->PushText(value);
-      }
-      else
-      {
-        using Widest = std::conditional_t<std::is_signed_v<T>, long long, unsigned long long>;
-        this->PushText(static_cast<Widest>(value));
-      }
+      this->BeginWord();
+      AppendNumber(m_Text, value);
       return;
     }
     if (m_Pending.size() - m_Used < sizeof(T))
@@ -73,18 +67,7 @@ public:
 
 private:
   void
-  PushText(long long value);
-  void
-  PushText(unsigned long long value);
-  template <typename T>
-  void
-  PushReal(T value);
-  void
-  PushText(float value);
-  void
-  PushText(double value);
-  void
-  PushWord(const char * begin, std::size_t size);
+  BeginWord();
   void
   EncodePending();
   void

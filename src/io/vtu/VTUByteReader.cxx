@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUByteReader.h"
+#include "io/NumberText.h"
 #include "io/vtu/VTUFormat.h"
 
 #include "itksys/Base64.h"
@@ -62,7 +63,7 @@ VTUByteReader::Read(void * bytes, std::size_t size)
   {
     if (!m_File.read(static_cast<char *>(bytes), static_cast<std::streamsize>(size)))
     {
-      throw VTUError("cannot be read");
+      throw MeshFileError("cannot be read");
     }
     m_Left -= size;
     return;
@@ -84,7 +85,7 @@ VTUByteReader::Read(void * bytes, std::size_t size)
 void
 VTUByteReader::ThrowEnd() const
 {
-  throw VTUError(m_EndsInvalid ? "has a character that is not base64" : "ends early");
+  throw MeshFileError(m_EndsInvalid ? "has a character that is not base64" : "ends early");
 }
 
 void
@@ -102,14 +103,14 @@ VTUByteReader::Refill()
     }
     if (!m_File.read(reinterpret_cast<char *>(text), static_cast<std::streamsize>(size)))
     {
-      throw VTUError("cannot be read");
+      throw MeshFileError("cannot be read");
     }
     m_Left -= size;
     m_Decoded.resize(bufferSize / 4 * 3 + 3);
     unsigned char * out = m_Decoded.data();
     for (const unsigned char * in = text; in < text + size; ++in)
     {
-      if (*in == ' ' || *in == '\n' || *in == '\r' || *in == '\t')
+      if (IsBlank(static_cast<char>(*in)))
       {
         continue;
       }

@@ -35,7 +35,7 @@ public:
   std::uint64_t
   Available() const;
 
-  /** Throws VTUError if there are not as many bytes. */
+  /** Throws MeshFileError if there are not as many bytes. */
   void
   Read(void * bytes, std::size_t size);
 

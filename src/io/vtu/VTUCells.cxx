@@ -16,12 +16,14 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUCells.h"
+#include "io/CellBuffer.h"
 #include "io/vtu/VTUArrayDecoder.h"
 #include "io/vtu/VTUFormat.h"
 
+#include "itkMeshIOBase.h"
+
 #include <numeric>
 #include <optional>
-#include <type_traits>
 
 namespace mmm
 {
@@ -39,12 +41,12 @@ ReadIntegers(std::istream &               file,
     {
       if (array.numberOfComponents != 1 || array.type.compare(0, 5, "Float") == 0)
       {
-        throw VTUError("its array \"" + name + "\" must have one integer per value");
+        throw MeshFileError("its array \"" + name + "\" must have one integer per value");
       }
       return ReadVTUArray(file, document, array, expected);
     }
   }
-  throw VTUError("its cells have no array \"" + name + '"');
+  throw MeshFileError("its cells have no array \"" + name + '"');
 }
 
 /** Appends the cell with these points; those with more points than ITK's type can have as several ones. */
@@ -64,63 +66,14 @@ AppendCell(VTUCells & cells, const VTUCellType & type, const std::vector<itk::Id
     ++cells.count;
   }
 }
-template <typename T>
-EncodedVTUCells
-EncodeCells(const T *   values,
-            std::size_t bufferSize,
-            std::size_t numberOfCells,
-            std::size_t numberOfPoints,
-            VTUEncoding encoding)
+
+void
+CheckPoint(std::int64_t point, std::uint64_t numberOfPoints)
 {
-  if (bufferSize < 2 * numberOfCells)
+  if (point < 0 || static_cast<std::uint64_t>(point) >= numberOfPoints)
   {
-    throw VTUError("its cell buffer is too small for its cells");
+    throw MeshFileError("refers to the point " + std::to_string(point) + " of " + std::to_string(numberOfPoints));
   }
-  const T * const end = values + bufferSize;
-  VTUArrayEncoder connectivity(encoding, (bufferSize - 2 * numberOfCells) * sizeof(std::int64_t));
-  VTUArrayEncoder offsets(encoding, numberOfCells * sizeof(std::int64_t));
-  VTUArrayEncoder types(encoding, numberOfCells);
-  std::int64_t    offset = 0;
-  for (std::size_t i = 0; i < numberOfCells; ++i)
-  {
-    const auto fail = [i](const std::string & what) { throw VTUError("its cell " + std::to_string(i) + ' ' + what); };
-    if (end - values < 2)
-    {
-      fail("is missing in its cell buffer");
-    }
-    const auto itkType = static_cast<std::int64_t>(*values++);
-    const auto size = static_cast<std::size_t>(*values++);
-    if (size > static_cast<std::size_t>(end - values))
-    {
-      fail("is not complete in its cell buffer");
-    }
-    std::uint8_t vtkType = 0;
-    try
-    {
-      vtkType = VTKCellType(itkType, size);
-    }
-    catch (const VTUError & error)
-    {
-      fail(error.what());
-    }
-    for (const T * const last = values + size; values != last; ++values)
-    {
-      const auto point = static_cast<std::int64_t>(*values);
-      if (point < 0 || static_cast<std::uint64_t>(point) >= numberOfPoints)
-      {
-        fail("refers to the point " + std::to_string(point) + " of " + std::to_string(numberOfPoints));
-      }
-      connectivity.Push(point);
-    }
-    offset += static_cast<std::int64_t>(size);
-    offsets.Push(offset);
-    types.Push(vtkType);
-  }
-  if (values != end)
-  {
-    throw VTUError("its cell buffer has more than its cells");
-  }
-  return { connectivity.Finish(), offsets.Finish(), types.Finish() };
 }
 } // namespace
 
@@ -141,31 +94,24 @@ ReadVTUCells(std::istream & file, const VTUDocument & document)
   std::size_t                      begin = 0;
   for (std::size_t i = 0; i < types.count; ++i)
   {
-    const auto fail = [i](const std::string & what) { throw VTUError("its cell " + std::to_string(i) + ' ' + what); };
-
-    const std::int64_t end = offsets.IntegerAt(i);
-    if (end < 0 || static_cast<std::uint64_t>(end) > connectivity.count || static_cast<std::size_t>(end) < begin)
-    {
-      fail("has the offset " + std::to_string(end) + ", which is out of range");
-    }
-    points.clear();
-    for (; begin < static_cast<std::size_t>(end); ++begin)
-    {
-      const std::int64_t point = connectivity.IntegerAt(begin);
-      if (point < 0 || static_cast<std::uint64_t>(point) >= document.numberOfPoints)
+    NameCell(i, [&] {
+      const std::int64_t end = offsets.IntegerAt(i);
+      if (end < 0 || static_cast<std::uint64_t>(end) > connectivity.count || static_cast<std::size_t>(end) < begin)
       {
-        fail("refers to the point " + std::to_string(point) + " of " + std::to_string(document.numberOfPoints));
+        throw MeshFileError("has the offset " + std::to_string(end) + ", which is out of range");
       }
-      points.push_back(static_cast<itk::IdentifierType>(point));
-    }
-
-    const std::int64_t vtkType = types.IntegerAt(i);
-    try
-    {
+      points.clear();
+      for (; begin < static_cast<std::size_t>(end); ++begin)
+      {
+        const std::int64_t point = connectivity.IntegerAt(begin);
+        CheckPoint(point, document.numberOfPoints);
+        points.push_back(static_cast<itk::IdentifierType>(point));
+      }
+      const std::int64_t  vtkType = types.IntegerAt(i);
       const VTUCellType & type = ITKCellType(vtkType);
       if (points.size() < type.minimumPoints || type.maximumPoints < points.size())
       {
-        throw VTUError("is a " + VTKCellTypeName(vtkType) + " of " + std::to_string(points.size()) + " points");
+        throw MeshFileError("is a " + VTKCellTypeName(vtkType) + " of " + std::to_string(points.size()) + " points");
       }
       const std::size_t firstOfCell = cells.count;
       AppendCell(cells, type, points);
@@ -178,16 +124,12 @@ ReadVTUCells(std::istream & file, const VTUDocument & document)
         }
         cells.sources.resize(cells.count, i);
       }
-    }
-    catch (const VTUError & error)
-    {
-      fail(error.what());
-    }
+    });
   }
   if (begin != connectivity.count)
   {
-    throw VTUError("its cells have " + std::to_string(begin) + " points, but its array \"connectivity\" has " +
-                   std::to_string(connectivity.count));
+    throw MeshFileError("its cells have " + std::to_string(begin) + " points, but its array \"connectivity\" has " +
+                        std::to_string(connectivity.count));
   }
   return cells;
 }
@@ -200,31 +142,44 @@ EncodeVTUCells(const void *         buffer,
                std::size_t          numberOfPoints,
                VTUEncoding          encoding)
 {
-  return VisitComponentType(type, [&](auto zero) -> EncodedVTUCells {
-    using T = decltype(zero);
-    if constexpr (std::is_integral_v<T>)
-    {
-      return EncodeCells(static_cast<const T *>(buffer), bufferSize, numberOfCells, numberOfPoints, encoding);
-    }
-    else
-    {
-      throw VTUError("its cells have point identifiers that are not integers");
-    }
-  });
+  if (bufferSize < 2 * numberOfCells)
+  {
+    throw MeshFileError("its cell buffer is too small for its cells");
+  }
+  VTUArrayEncoder connectivity(encoding, (bufferSize - 2 * numberOfCells) * sizeof(std::int64_t));
+  VTUArrayEncoder offsets(encoding, numberOfCells * sizeof(std::int64_t));
+  VTUArrayEncoder types(encoding, numberOfCells);
+  std::int64_t    offset = 0;
+  VisitCells(
+    buffer, type, bufferSize, numberOfCells, [&](std::int64_t itkType, const std::vector<std::uint64_t> & points) {
+      types.Push(VTKCellType(itkType, points.size()));
+      for (const auto unchecked : points)
+      {
+        const auto point = static_cast<std::int64_t>(unchecked);
+        CheckPoint(point, numberOfPoints);
+        connectivity.Push(point);
+      }
+      offset += static_cast<std::int64_t>(points.size());
+      offsets.Push(offset);
+    });
+  return { connectivity.Finish(), offsets.Finish(), types.Finish() };
 }
 
 EncodedVTUCells
 EncodeVTUVertices(std::size_t numberOfPoints, VTUEncoding encoding)
 {
-  VTUArrayEncoder connectivity(encoding, numberOfPoints * sizeof(std::int64_t));
-  VTUArrayEncoder offsets(encoding, numberOfPoints * sizeof(std::int64_t));
-  VTUArrayEncoder types(encoding, numberOfPoints);
+  std::vector<std::int64_t> buffer;
+  buffer.reserve(3 * numberOfPoints);
   for (std::size_t i = 0; i < numberOfPoints; ++i)
   {
-    connectivity.Push(static_cast<std::int64_t>(i));
-    offsets.Push(static_cast<std::int64_t>(i + 1));
-    types.Push(VTKCellType(static_cast<std::int64_t>(itk::CellGeometryEnum::VERTEX_CELL), 1));
+    buffer.insert(buffer.end(),
+                  { static_cast<std::int64_t>(itk::CellGeometryEnum::VERTEX_CELL), 1, static_cast<std::int64_t>(i) });
   }
-  return { connectivity.Finish(), offsets.Finish(), types.Finish() };
+  return EncodeVTUCells(buffer.data(),
+                        itk::MeshIOBase::MapComponentType<std::int64_t>::CType,
+                        buffer.size(),
+                        numberOfPoints,
+                        numberOfPoints,
+                        encoding);
 }
 } // namespace mmm

@@ -41,7 +41,7 @@ struct VTUCells
   std::vector<std::size_t> sources;
 };
 
-/** Throws VTUError unless all cells are complete and refer to points of the file. */
+/** Throws MeshFileError unless all cells are complete and refer to points of the file. */
 VTUCells
 ReadVTUCells(std::istream & file, const VTUDocument & document);
 
@@ -53,7 +53,8 @@ struct EncodedVTUCells
   std::string types;
 };
 
-/** Encodes a buffer of itk::MeshIOBase. Throws VTUError if a cell has no VTK type or refers to a point that is none. */
+/** Encodes a buffer of itk::MeshIOBase. Throws MeshFileError if a cell has no VTK type or refers to a point that is
+ * none. */
 EncodedVTUCells
 EncodeVTUCells(const void *         buffer,
                itk::IOComponentEnum type,

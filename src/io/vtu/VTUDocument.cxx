@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUDocument.h"
+#include "io/NumberText.h"
 #include "io/vtu/VTUFormat.h"
 
 // The header of ITK's own or the system's expat: ITK installs the first name from version 6 on.
@@ -26,7 +27,6 @@
 #endif
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -67,10 +67,9 @@ public:
       return std::nullopt;
     }
     std::uint64_t value = 0;
-    const auto    parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size())
+    if (!ParseNumber(text, value))
     {
-      throw VTUError("<" + m_Tag + "> has " + name + "=\"" + text + "\", which is not a count");
+      throw MeshFileError("<" + m_Tag + "> has " + name + "=\"" + text + "\", which is not a count");
     }
     return value;
   }
@@ -81,7 +80,7 @@ public:
     const auto value = this->GetNumber(name);
     if (!value)
     {
-      throw VTUError("<" + m_Tag + "> has no " + name);
+      throw MeshFileError("<" + m_Tag + "> has no " + name);
     }
     return *value;
   }
@@ -90,12 +89,6 @@ private:
   std::string   m_Tag;
   const char ** m_NamesAndValues;
 };
-
-bool
-IsBlank(char c)
-{
-  return c == ' ' || c == '\n' || c == '\r' || c == '\t';
-}
 
 class Parser
 {
@@ -148,7 +141,7 @@ private:
   OnDoctype(void * self, const XML_Char *, const XML_Char *, const XML_Char *, int)
   {
     auto * const parser = static_cast<Parser *>(self);
-    parser->Guard([] { throw VTUError("it has a document type declaration, which .vtu files have not"); });
+    parser->Guard([] { throw MeshFileError("it has a document type declaration, which .vtu files have not"); });
   }
 
   void
@@ -204,7 +197,7 @@ Parser::Start(const std::string & tag, const Attributes & attributes)
     const std::string encoding = attributes.Get("encoding", "raw");
     if (encoding != "raw" && encoding != "base64")
     {
-      throw VTUError("its appended data has the unknown encoding \"" + encoding + '"');
+      throw MeshFileError("its appended data has the unknown encoding \"" + encoding + '"');
     }
     m_Document.appendedBase64 = encoding == "base64";
     m_Document.appendedBegin = this->TagEnd();
@@ -216,7 +209,7 @@ Parser::Start(const std::string & tag, const Attributes & attributes)
     {
       if (++m_Pieces > 1)
       {
-        throw VTUError("it has several pieces; only files with one are supported");
+        throw MeshFileError("it has several pieces; only files with one are supported");
       }
       m_Document.numberOfPoints = attributes.GetCount("NumberOfPoints");
       m_Document.numberOfCells = attributes.GetCount("NumberOfCells");
@@ -257,29 +250,29 @@ Parser::StartFile(const std::string & tag, const Attributes & attributes)
 {
   if (tag != "VTKFile")
   {
-    throw VTUError("it is not a VTK file: it begins with <" + tag + ">");
+    throw MeshFileError("it is not a VTK file: it begins with <" + tag + ">");
   }
   const std::string type = attributes.Get("type");
   if (type != "UnstructuredGrid")
   {
-    throw VTUError("it is a VTK file of type \"" + type + "\", not UnstructuredGrid");
+    throw MeshFileError("it is a VTK file of type \"" + type + "\", not UnstructuredGrid");
   }
   const std::string byteOrder = attributes.Get("byte_order", "LittleEndian");
   if (byteOrder != "LittleEndian" && byteOrder != "BigEndian")
   {
-    throw VTUError("its byte order \"" + byteOrder + "\" is unknown");
+    throw MeshFileError("its byte order \"" + byteOrder + "\" is unknown");
   }
   m_Document.bigEndian = byteOrder == "BigEndian";
   const std::string headerType = attributes.Get("header_type", "UInt32");
   if (headerType != "UInt32" && headerType != "UInt64")
   {
-    throw VTUError("its header type \"" + headerType + "\" is unknown");
+    throw MeshFileError("its header type \"" + headerType + "\" is unknown");
   }
   m_Document.headerSize = headerType == "UInt64" ? 8 : 4;
   const std::string compressor = attributes.Get("compressor");
   if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
   {
-    throw VTUError("its data is compressed by \"" + compressor + "\"; only vtkZLibDataCompressor is supported");
+    throw MeshFileError("its data is compressed by \"" + compressor + "\"; only vtkZLibDataCompressor is supported");
   }
   m_Document.compressed = !compressor.empty();
 }
@@ -334,11 +327,11 @@ Parser::FindAppendedData(std::istream & file)
   {
     if (!file.get(c))
     {
-      throw VTUError("it ends before its appended data");
+      throw MeshFileError("it ends before its appended data");
     }
     if (!IsBlank(c) && c != '_')
     {
-      throw VTUError("its appended data does not begin with an underscore");
+      throw MeshFileError("its appended data does not begin with an underscore");
     }
   }
 }
@@ -355,7 +348,7 @@ Parser::Parse(std::istream & file)
   file.seekg(0);
   if (!file)
   {
-    throw VTUError("it cannot be read");
+    throw MeshFileError("it cannot be read");
   }
 
   XML_SetUserData(m_Expat.get(), this);
@@ -374,13 +367,13 @@ Parser::Parse(std::istream & file)
     }
     if (status != XML_STATUS_OK && !m_Document.appendedBegin)
     {
-      throw VTUError("line " + std::to_string(XML_GetCurrentLineNumber(m_Expat.get())) + ": " +
-                     XML_ErrorString(XML_GetErrorCode(m_Expat.get())));
+      throw MeshFileError("line " + std::to_string(XML_GetCurrentLineNumber(m_Expat.get())) + ": " +
+                          XML_ErrorString(XML_GetErrorCode(m_Expat.get())));
     }
   }
   if (m_Pieces == 0)
   {
-    throw VTUError("it has no <Piece> with a mesh");
+    throw MeshFileError("it has no <Piece> with a mesh");
   }
   if (m_Document.appendedBegin)
   {

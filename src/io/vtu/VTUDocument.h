@@ -60,7 +60,7 @@ struct VTUDocument
   std::uint64_t                fileSize{ 0 };
 };
 
-/** Reads the tags of a file; throws VTUError if it is no .vtu file or has parts that are not supported. */
+/** Reads the tags of a file; throws MeshFileError if it is no .vtu file or has parts that are not supported. */
 VTUDocument
 ParseVTUDocument(std::istream & file);
 } // namespace mmm

@@ -30,13 +30,13 @@ CheckCounts(const VTUContent & content)
 {
   if (!content.pointData.empty() && content.numberOfPointPixels != content.numberOfPoints)
   {
-    throw VTUError("it has data of " + std::to_string(content.numberOfPointPixels) + " points, but " +
-                   std::to_string(content.numberOfPoints) + " points");
+    throw MeshFileError("it has data of " + std::to_string(content.numberOfPointPixels) + " points, but " +
+                        std::to_string(content.numberOfPoints) + " points");
   }
   if (!content.cellData.empty() && content.numberOfCellPixels != content.numberOfCells)
   {
-    throw VTUError("it has data of " + std::to_string(content.numberOfCellPixels) + " cells, but " +
-                   std::to_string(content.numberOfCells) + " cells");
+    throw MeshFileError("it has data of " + std::to_string(content.numberOfCellPixels) + " cells, but " +
+                        std::to_string(content.numberOfCells) + " cells");
   }
 }
 

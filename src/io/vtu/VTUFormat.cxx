@@ -19,6 +19,7 @@
 
 #include "itkMeshIOBase.h"
 
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
@@ -79,7 +80,7 @@ ComponentTypeOfVTU(const std::string & typeName)
       return type;
     }
   }
-  throw VTUError("has the type \"" + typeName + "\", which is not supported");
+  throw MeshFileError("has the type \"" + typeName + "\", which is not supported");
 }
 
 std::uint8_t
@@ -95,8 +96,8 @@ VTKCellType(std::int64_t itkType, std::size_t numberOfPoints)
       return row.vtkType;
     }
   }
-  throw VTUError("has the ITK cell type " + std::to_string(itkType) + " and " + std::to_string(numberOfPoints) +
-                 " points, for which VTK has no cell type");
+  throw MeshFileError("has the ITK cell type " + std::to_string(itkType) + " and " + std::to_string(numberOfPoints) +
+                      " points, for which VTK has no cell type");
 }
 
 const VTUCellType &
@@ -109,71 +110,42 @@ ITKCellType(std::int64_t vtkType)
       return row;
     }
   }
-  throw VTUError("is a " + VTKCellTypeName(vtkType) + ", which ITK meshes cannot hold");
+  throw MeshFileError("is a " + VTKCellTypeName(vtkType) + ", which ITK meshes cannot hold");
 }
 
 std::string
 VTKCellTypeName(std::int64_t vtkType)
 {
-  const auto name = [vtkType] {
-    switch (vtkType)
-    {
-      case 0:
-        return "empty cell";
-      case 1:
-        return "vertex";
-      case 2:
-        return "poly-vertex";
-      case 3:
-        return "line";
-      case 4:
-        return "polyline";
-      case 5:
-        return "triangle";
-      case 6:
-        return "triangle strip";
-      case 7:
-        return "polygon";
-      case 8:
-        return "pixel";
-      case 9:
-        return "quadrilateral";
-      case 10:
-        return "tetrahedron";
-      case 11:
-        return "voxel";
-      case 12:
-        return "hexahedron";
-      case 13:
-        return "wedge";
-      case 14:
-        return "pyramid";
-      case 15:
-        return "pentagonal prism";
-      case 16:
-        return "hexagonal prism";
-      case 21:
-        return "quadratic edge";
-      case 22:
-        return "quadratic triangle";
-      case 23:
-        return "quadratic quadrilateral";
-      case 24:
-        return "quadratic tetrahedron";
-      case 25:
-        return "quadratic hexahedron";
-      case 26:
-        return "quadratic wedge";
-      case 27:
-        return "quadratic pyramid";
-      case 41:
-        return "convex point set";
-      case 42:
-        return "polyhedron";
-      default:
-        return "cell";
-    }
-  };
-  return std::string(name()) + " (VTK cell type " + std::to_string(vtkType) + ')';
+  constexpr const char * names[] = { "empty cell",
+                                     "vertex",
+                                     "poly-vertex",
+                                     "line",
+                                     "polyline",
+                                     "triangle",
+                                     "triangle strip",
+                                     "polygon",
+                                     "pixel",
+                                     "quadrilateral",
+                                     "tetrahedron",
+                                     "voxel",
+                                     "hexahedron",
+                                     "wedge",
+                                     "pyramid",
+                                     "pentagonal prism",
+                                     "hexagonal prism",
+                                     "cell",
+                                     "cell",
+                                     "cell",
+                                     "cell",
+                                     "quadratic edge",
+                                     "quadratic triangle",
+                                     "quadratic quadrilateral",
+                                     "quadratic tetrahedron",
+                                     "quadratic hexahedron",
+                                     "quadratic wedge",
+                                     "quadratic pyramid" };
+  const bool             isNamed = vtkType >= 0 && vtkType < static_cast<std::int64_t>(std::size(names));
+  const char *           name = isNamed ? names[vtkType] : vtkType == 42 ? "polyhedron" : "cell";
+  return std::string(name) + " (VTK cell type " + std::to_string(vtkType) + ')';
 }
 } // namespace mmm

@@ -18,61 +18,14 @@
 #ifndef mmmVTUFormat_h
 #define mmmVTUFormat_h
 
-#include "itkCommonEnums.h"
+#include "io/ComponentType.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 namespace mmm
 {
-/** What is wrong with a file, or with a mesh that is to become one; VTUMeshIO makes an itk::ExceptionObject of it. */
-class VTUError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/** Returns visitor(T{}), T being the C++ type that `type` stands for. */
-template <typename TVisitor>
-auto
-VisitComponentType(itk::IOComponentEnum type, TVisitor && visitor)
-{
-  using Type = itk::IOComponentEnum;
-  switch (type)
-  {
-    case Type::UCHAR:
-      return visitor(static_cast<unsigned char>(0));
-    case Type::CHAR:
-      return visitor(static_cast<char>(0));
-    case Type::USHORT:
-      return visitor(static_cast<unsigned short>(0));
-    case Type::SHORT:
-      return visitor(static_cast<short>(0));
-    case Type::UINT:
-      return visitor(0u);
-    case Type::INT:
-      return visitor(0);
-    case Type::ULONG:
-      return visitor(0ul);
-    case Type::LONG:
-      return visitor(0l);
-    case Type::ULONGLONG:
-      return visitor(0ull);
-    case Type::LONGLONG:
-      return visitor(0ll);
-    case Type::FLOAT:
-      return visitor(0.0f);
-    case Type::DOUBLE:
-      return visitor(0.0);
-    case Type::LDOUBLE:
-      return visitor(0.0l);
-    default:
-      throw VTUError("its values are of a type that .vtu files have no name for");
-  }
-}
-
 /** The type attribute for a component type, for instance "Int32". Long doubles are stored as Float64. */
 std::string
 VTUTypeName(itk::IOComponentEnum type);

@@ -99,7 +99,7 @@ ReadVTUPixels(std::istream &                file,
     if (components == 0 || components > std::numeric_limits<unsigned int>::max() ||
         numberOfPixels > std::numeric_limits<std::uint64_t>::max() / components)
     {
-      throw VTUError("its array \"" + arrays[0].name + "\" has " + std::to_string(components) + " components");
+      throw MeshFileError("its array \"" + arrays[0].name + "\" has " + std::to_string(components) + " components");
     }
     pixels.values = ReadVTUArray(file, document, arrays[0], numberOfPixels * components);
     pixels.numberOfComponents = static_cast<std::size_t>(components);

@@ -76,11 +76,11 @@ ReadVTUPoints(std::istream & file, const VTUDocument & document)
   }
   if (document.points.empty() || document.points[0].numberOfComponents != vtuDimension)
   {
-    throw VTUError("its points must be an array of three components");
+    throw MeshFileError("its points must be an array of three components");
   }
   if (document.numberOfPoints > std::numeric_limits<std::uint64_t>::max() / vtuDimension)
   {
-    throw VTUError("it announces more points than there can be");
+    throw MeshFileError("it announces more points than there can be");
   }
   VTUValues points = ReadVTUArray(file, document, document.points[0], document.numberOfPoints * vtuDimension);
   if (points.type != itk::IOComponentEnum::FLOAT && points.type != itk::IOComponentEnum::DOUBLE)
@@ -103,7 +103,7 @@ EncodeVTUPoints(const void *         buffer,
 {
   if (dimension < 1 || dimension > vtuDimension)
   {
-    throw VTUError("its points have " + std::to_string(dimension) + " coordinates; .vtu files have three");
+    throw MeshFileError("its points have " + std::to_string(dimension) + " coordinates; .vtu files have three");
   }
   return VisitComponentType(type, [&](auto zero) {
     using T = decltype(zero);

@@ -32,7 +32,6 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
-#include <new>
 #include <utility>
 
 namespace itk
@@ -59,12 +58,6 @@ RepeatPixels(mmm::VTUPixels & pixels, const std::vector<std::size_t> & sources)
   }
   pixels.values.bytes = std::move(bytes);
   pixels.values.count = sources.size() * pixels.numberOfComponents;
-}
-
-const char *
-ReasonOf(const std::exception & error)
-{
-  return dynamic_cast<const std::bad_alloc *>(&error) ? "not enough memory" : error.what();
 }
 
 /** No data, that is no components, counts as a scalar, as ITK has it. */
@@ -154,7 +147,7 @@ VTUMeshIO::ReadMeshInformation()
     itksys::ifstream file(m_FileName.c_str(), std::ios::in | std::ios::binary);
     if (!file)
     {
-      throw mmm::VTUError("it cannot be opened: " + itksys::SystemTools::GetLastSystemError());
+      throw mmm::MeshFileError("it cannot be opened: " + itksys::SystemTools::GetLastSystemError());
     }
     auto                   read = std::make_unique<ReadState>();
     const mmm::VTUDocument document = mmm::ParseVTUDocument(file);
@@ -205,7 +198,7 @@ VTUMeshIO::ReadMeshInformation()
   }
   catch (const std::exception & error)
   {
-    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << ReasonOf(error));
+    itkExceptionMacro("Cannot read \"" << m_FileName << "\": " << mmm::ReasonOf(error));
   }
 }
 
@@ -270,7 +263,7 @@ VTUMeshIO::WritePart(TBody body)
   catch (const std::exception & error)
   {
     m_Written = nullptr;
-    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << ReasonOf(error));
+    itkExceptionMacro("Cannot write \"" << m_FileName << "\": " << mmm::ReasonOf(error));
   }
 }
 

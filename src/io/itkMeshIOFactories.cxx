@@ -15,43 +15,43 @@
  *  limitations under the License.
  *
  *=========================================================================*/
+#include "itkGmshMeshIOFactory.h"
+#include "itkMeditMeshIOFactory.h"
 #include "itkVTUMeshIOFactory.h"
-#include "itkVTUMeshIO.h"
-
-#include "itkVersion.h"
 
 namespace itk
 {
-VTUMeshIOFactory::VTUMeshIOFactory()
+namespace
 {
-  this->RegisterOverride(
-    "itkMeshIOBase", "itkVTUMeshIO", "VTK XML unstructured grid IO", true, CreateObjectFunction<VTUMeshIO>::New());
-}
-
-VTUMeshIOFactory::~VTUMeshIOFactory() = default;
-
-const char *
-VTUMeshIOFactory::GetITKSourceVersion() const
+template <typename TFactory>
+bool
+Register()
 {
-  return ITK_SOURCE_VERSION;
+  TFactory::RegisterOneFactory();
+  return true;
 }
+} // namespace
 
-const char *
-VTUMeshIOFactory::GetDescription() const
-{
-  return "VTU MeshIO Factory, allows the loading of VTK XML unstructured grids into insight";
-}
-
-// Undocumented API used to register during static initialization.
+// Undocumented API used to register during static initialization, once each.
 // DO NOT CALL DIRECTLY.
+void MultiMaterialMeshing_EXPORT
+GmshMeshIOFactoryRegister__Private()
+{
+  static const bool isRegistered = Register<GmshMeshIOFactory>();
+  (void)isRegistered;
+}
+
+void MultiMaterialMeshing_EXPORT
+MeditMeshIOFactoryRegister__Private()
+{
+  static const bool isRegistered = Register<MeditMeshIOFactory>();
+  (void)isRegistered;
+}
+
 void MultiMaterialMeshing_EXPORT
 VTUMeshIOFactoryRegister__Private()
 {
-  static bool isRegistered = false;
-  if (!isRegistered)
-  {
-    isRegistered = true;
-    VTUMeshIOFactory::RegisterOneFactory();
-  }
+  static const bool isRegistered = Register<VTUMeshIOFactory>();
+  (void)isRegistered;
 }
 } // end namespace itk
