@@ -35,7 +35,7 @@ namespace
 using Id = OptimizerState::Id;
 
 /** Exterior tetrahedra below this quality are gaps that should not be there. */
-const double FlatExterior = QualityOfAngle(2.0);
+const double FlatExterior = QualityOfAngle(OptimizationParameters::GapAngle);
 
 /** Looks for what makes one tetrahedron, or one triangle, better. */
 class Finder
@@ -58,7 +58,7 @@ public:
   ForTriangle(Id t, int face, ComplexChange & change)
   {
     const Triangle corners = FaceOf(m_State.complex.Corners(t), face);
-    const double   radiusRatio = this->RadiusRatioOfInterface(t, face) + OptimizerState::LeastGain;
+    const double   radiusRatio = this->RadiusRatioOfInterface(t, face) + OptimizationParameters::LeastGain;
     for (int c = 0; c < 3; ++c)
     {
       if (m_EdgeRemover.FindForTriangles(t, corners[c], corners[(c + 1) % 3], change))

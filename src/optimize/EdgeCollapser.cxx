@@ -25,12 +25,6 @@ namespace mmm
 {
 using Id = OptimizerState::Id;
 
-namespace
-{
-/** More tetrahedra than that around a point are hardly ever brought to another one. */
-constexpr std::size_t LargestStar = 60;
-} // namespace
-
 bool
 EdgeCollapser::FindAny(Id t, ComplexChange & change)
 {
@@ -46,7 +40,7 @@ EdgeCollapser::FindAny(Id t, ComplexChange & change)
     for (const PointId v : corners)
     {
       if (v != u && this->MayCollapse(t, u, v, floor) &&
-          this->CollapseStar(t, u, v, before + OptimizerState::LeastGain, change))
+          this->CollapseStar(t, u, v, before + OptimizationParameters::LeastGain, change))
       {
         return true;
       }
@@ -89,7 +83,7 @@ EdgeCollapser::LookAround(PointId u)
 {
   m_State.complex.GetStar(u, m_Star);
   m_NumberOfMaterials = this->CountMaterialsAround(u);
-  if (m_Star.size() > LargestStar || m_NumberOfMaterials > 3)
+  if (m_Star.size() > OptimizationParameters::LargestStar || m_NumberOfMaterials > 3)
   {
     return false;
   }
@@ -294,8 +288,8 @@ EdgeCollapser::MayCollapseOnInterface(Id t, PointId u, PointId v, double floor)
     const Vector & q = m_State.points[triangle.c];
     const Vector   before = (p - x).cross(q - x);
     const Vector   after = (p - y).cross(q - y);
-    return before.dot(after) > 0.5 * before.norm() * after.norm() && TriangleRadiusRatio(y, p, q) >= floor &&
-           isNear(triangle, (p + q + y) / 3.0) &&
+    return before.dot(after) > OptimizationParameters::LeastCosineOfCollapse * before.norm() * after.norm() &&
+           TriangleRadiusRatio(y, p, q) >= floor && isNear(triangle, (p + q + y) / 3.0) &&
            (materials == 2 || (isNear(triangle, 0.5 * (p + y)) && isNear(triangle, 0.5 * (q + y))));
   };
   // what fails most often comes first

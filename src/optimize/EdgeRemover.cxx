@@ -36,9 +36,10 @@ EdgeRemover::TriangulateLink(const std::vector<PointId> & polygon,
                              double                       enough,
                              std::vector<Triangle> &      triangles) const
 {
-  const int n = int(polygon.size());
-  double    best[LongestRing + 1][LongestRing + 1];
-  int       middle[LongestRing + 1][LongestRing + 1];
+  constexpr int LongestRing = OptimizationParameters::LongestRing;
+  const int     n = int(polygon.size());
+  double        best[LongestRing + 1][LongestRing + 1];
+  int           middle[LongestRing + 1][LongestRing + 1];
   for (int i = 0; i + 1 < n; ++i)
   {
     best[i][i + 1] = 2.0;
@@ -96,7 +97,7 @@ EdgeRemover::FindForEdge(Id t, PointId a, PointId b, ComplexChange & change)
   const bool   mayFlip = before < QualityOfAngle(m_State.parameters.poorAngle);
   return this->ReplaceRing(a,
                            b,
-                           before + OptimizerState::LeastGain,
+                           before + OptimizationParameters::LeastGain,
                            mayFlip ? OptimizerState::TriangleFloor(before) : OptimizerState::Unreachable,
                            change);
 }
@@ -116,7 +117,7 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor, Comp
 {
   const auto & ring = m_Ring.tetrahedra;
   const int    count = int(ring.size());
-  if (count > LongestRing - 2 || (m_Ring.closed && count < 3) || enough < -0.5)
+  if (count > OptimizationParameters::LongestRing - 2 || (m_Ring.closed && count < 3) || enough < -0.5)
   {
     return false;
   }
@@ -244,7 +245,7 @@ EdgeRemover::MayFlip(PointId a, PointId b, PointId c, PointId d, Material one, M
   }
   const double worstBefore = std::min(TriangleRadiusRatio(pa, pb, pc), TriangleRadiusRatio(pa, pb, pd));
   const double worstAfter = std::min(TriangleRadiusRatio(pa, pc, pd), TriangleRadiusRatio(pb, pc, pd));
-  return worstAfter >= std::min(worstBefore + OptimizerState::LeastGain, floor);
+  return worstAfter >= std::min(worstBefore + OptimizationParameters::LeastGain, floor);
 }
 
 bool
@@ -274,7 +275,7 @@ EdgeRemover::FindForFace(Id t, int face, ComplexChange & change) const
     const PointId     u = corners[TetrahedronFaces[face][c]];
     const PointId     v = corners[TetrahedronFaces[face][(c + 1) % 3]];
     const Tetrahedron candidate{ { u, v, bottom, top } };
-    if (!(m_State.Quality(candidate, m_State.complex.MaterialOf(t)) > before + OptimizerState::LeastGain))
+    if (!(m_State.Quality(candidate, m_State.complex.MaterialOf(t)) > before + OptimizationParameters::LeastGain))
     {
       return false;
     }

@@ -45,8 +45,6 @@ public:
   FindAny(OptimizerState::Id t, ComplexChange & change);
 
 private:
-  static constexpr int LongestRing = 9;
-
   /** Takes a face out: two tetrahedra of one material become three around a new edge. */
   bool
   FindForFace(OptimizerState::Id t, int face, ComplexChange & change) const;

@@ -24,6 +24,9 @@ namespace mmm
 {
 namespace
 {
+/** Points of a plane are on it but for rounding, in units of the smallest voxel spacing. */
+constexpr double OnPlane = 1e-9;
+
 std::vector<Cell>
 CellsOf(const ParticleSet & particles)
 {
@@ -96,7 +99,7 @@ IndicatorConstraint::DistanceToInterface(Material a, Material b, const Vector & 
     {
       for (const Material m : m_Cells[corner])
       {
-        if (m_Indicators.IsPlane(m) && std::abs(m_Indicators.PlaneValue(m, x)) < 1e-9)
+        if (m_Indicators.IsPlane(m) && std::abs(m_Indicators.PlaneValue(m, x)) < OnPlane)
         {
           return 0.0;
         }
@@ -104,7 +107,7 @@ IndicatorConstraint::DistanceToInterface(Material a, Material b, const Vector & 
     }
     if (std::size_t(m_Exterior) >= m_Indicators.GetNumberOfMaterials())
     {
-      return 1e30;
+      return NoInterface;
     }
   }
   return 0.5 * std::abs(m_Indicators.Difference(a, b, x));

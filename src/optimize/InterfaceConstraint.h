@@ -30,6 +30,9 @@ namespace mmm
 class InterfaceConstraint
 {
 public:
+  /** The distance to an interface that there is none of. */
+  static constexpr double NoInterface = 1e30;
+
   virtual ~InterfaceConstraint() = default;
 
   const std::vector<Cell> &

@@ -19,6 +19,7 @@
 
 #include "base/MakeUnique.h"
 #include "base/Parallel.h"
+#include "optimize/ComplexDefects.h"
 #include "optimize/PointSmoother.h"
 #include "mesh/TetrahedronRaster.h"
 
@@ -30,38 +31,12 @@ namespace mmm
 {
 namespace
 {
+using Parameters = InterfaceFitParameters;
+using Floor = Parameters::Floor;
+
 constexpr std::size_t Grain = 1024;
-constexpr int         BalancePasses = 2;
-/** Nothing moves further than this in one pass of the balance, in units of the smallest voxel spacing. */
-constexpr double LongestMove = 0.3;
-constexpr int    CentrePasses = 2;
-/** Towards voxel centres, points move by this, in units of the smallest voxel spacing, and by half and a quarter of it.
- */
-constexpr double CentreStep = 0.2;
-constexpr double ShortestCentreStep = 0.04;
-/** A gain in depth that is not worth a move. */
-constexpr double NegligibleDepth = 1e-6;
-/** Where more centres than this are around a point, elements are so coarse that centres are no measure for them. */
-constexpr std::size_t MostCentres = 100;
-/** Points that did not leave their cell may do so by this when they make room. */
-constexpr double NegligibleDistance = 0.02;
-/** Points that are further than this from where they belong stay where they are. */
-constexpr double Far = 1.0;
 /** The depth of a centre that has no tetrahedron of its material nearby. */
 constexpr double NoSuchTetrahedron = 1e3;
-/** Centres on a face belong to both tetrahedra. */
-constexpr double OnFace = 1e-9;
-
-/** A tetrahedron may get worse, but not beyond this angle, in degrees, and a triangle not beyond this radius ratio. */
-struct Floor
-{
-  double angle;
-  double triangle;
-};
-constexpr Floor BalanceFloor{ 20.0, 0.75 };
-constexpr Floor CentreFloor{ 26.0, 0.93 };
-/** Likewise a triangle whose points make room. */
-constexpr double TriangleBesideRoom = 0.8;
 
 /** How far x is from a tetrahedron: the largest distance beyond the plane of a face, negative inside. The search ends
  * early at one that is not below `enough`. */
@@ -102,7 +77,7 @@ public:
   BalanceVolumes()
   {
     std::vector<double> gaps(m_Points.size());
-    for (int pass = 0; pass < BalancePasses; ++pass)
+    for (int pass = 0; pass < Parameters::BalancePasses; ++pass)
     {
       // all gaps first: what the neighbours do about theirs is not to count twice
       ParallelFor(m_Points.size(), Grain, [&](std::size_t begin, std::size_t end) {
@@ -112,8 +87,8 @@ public:
         }
       });
       this->MoveByColour([&](PointId p) {
-        const double gap = std::min(std::max(gaps[p], -LongestMove), LongestMove);
-        return gap != 0.0 && this->MoveAbove(this->FloorAt(p, BalanceFloor),
+        const double gap = std::min(std::max(gaps[p], -Parameters::LongestBalanceMove), Parameters::LongestBalanceMove);
+        return gap != 0.0 && this->MoveAbove(this->FloorAt(p, Parameters::BalanceFloor),
                                              p,
                                              m_Points[p] + gap * m_Indicators.Normal(m_Cells[p], m_Points[p]));
       });
@@ -124,7 +99,7 @@ public:
   void
   RecoverVoxelCentres()
   {
-    for (int pass = 0; pass < CentrePasses; ++pass)
+    for (int pass = 0; pass < Parameters::CentrePasses; ++pass)
     {
       const auto        isBesideWrong = this->MarkCorners(this->FindTetrahedraOfWrongCentres());
       std::vector<char> hasMoved(m_Points.size(), 0);
@@ -146,7 +121,7 @@ private:
   void
   ReportPass()
   {
-    m_Monitor.Report(double(++m_PassesDone) / (BalancePasses + CentrePasses));
+    m_Monitor.Report(double(++m_PassesDone) / (Parameters::BalancePasses + Parameters::CentrePasses));
   }
 
   bool
@@ -200,7 +175,7 @@ private:
       for (std::size_t t = begin; t < end; ++t)
       {
         VisitIndicesInside(
-          m_Grid.size, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[t]), -OnFace, [&](const Index & at) {
+          m_Grid.size, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[t]), -Parameters::OnFace, [&](const Index & at) {
             isWrong[t] |= m_Indicators.NodeMaterials()[m_Grid.Offset(at)] != m_Materials[t];
           });
       }
@@ -243,7 +218,7 @@ private:
     for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
     {
       VisitIndicesInside(
-        lower, upper, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[*s]), OnFace, [&](const Index & at) {
+        lower, upper, CornersInVoxels(m_Grid, m_Points, m_Tetrahedra[*s]), Parameters::OnFace, [&](const Index & at) {
           nodes.push_back(m_Grid.Offset(at));
         });
     }
@@ -288,7 +263,7 @@ private:
   {
     Centres    centres;
     const auto nodes = this->NodesAround(p);
-    if (nodes.size() > MostCentres)
+    if (nodes.size() > Parameters::MostCentres)
     {
       return centres;
     }
@@ -324,7 +299,7 @@ private:
       return this->DistanceFromInterfaces(this->MaterialsAround(p), p, x);
     }
     Vector onCell = x;
-    return m_Constraint.Project(p, onCell) ? (x - onCell).norm() : 2.0 * Far;
+    return m_Constraint.Project(p, onCell) ? (x - onCell).norm() : 2.0 * Parameters::Far;
   }
 
   /** Moves p so that centres around it get nearer to tetrahedra of their material. It stays within the tolerance of
@@ -342,24 +317,25 @@ private:
       return false;
     }
     const double distance = this->DistanceFromOwn(p, m_Points[p]);
-    if (distance > Far)
+    if (distance > Parameters::Far)
     {
       return false;
     }
     const double furthest = std::max(m_Parameters.interfaceTolerance, distance);
-    const Floor  floor = this->FloorAt(p, CentreFloor);
+    const Floor  floor = this->FloorAt(p, Parameters::CentreFloor);
     double       depth = centres.depth;
-    return SearchAround(CentreStep, ShortestCentreStep, [&](double step, const Vector & direction) {
-      const Vector x = m_Points[p] + step * direction;
-      const double enough = depth - NegligibleDepth;
-      const double reached = this->DepthAt(centres, p, x, enough);
-      if (!(reached < enough && this->DistanceFromOwn(p, x) <= furthest && this->MoveAbove(floor, p, x)))
-      {
-        return false;
-      }
-      depth = reached;
-      return true;
-    });
+    return SearchAround(
+      Parameters::LongestCentreMove, Parameters::ShortestCentreMove, [&](double step, const Vector & direction) {
+        const Vector x = m_Points[p] + step * direction;
+        const double enough = depth - Parameters::NegligibleDepth;
+        const double reached = this->DepthAt(centres, p, x, enough);
+        if (!(reached < enough && this->DistanceFromOwn(p, x) <= furthest && this->MoveAbove(floor, p, x)))
+        {
+          return false;
+        }
+        depth = reached;
+        return true;
+      });
   }
 
   /** Moves p to where the radius ratios around it are larger on average, now that its neighbours have moved. Centres do
@@ -376,15 +352,15 @@ private:
       return false;
     }
     const double distance = this->DistanceFromOwn(p, m_Points[p]);
-    if (distance > Far)
+    if (distance > Parameters::Far)
     {
       return false;
     }
-    const double  triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleBesideRoom);
+    const double  triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), Parameters::TriangleFloorOfRoom);
     const bool    mayLeave = m_Constraint.MayLeaveCell(p);
-    const double  furthest = std::max(NegligibleDistance, distance);
+    const double  furthest = std::max(Parameters::RoomOffCell, distance);
     const Centres centres = this->CentresAround(p);
-    const double  enough = centres.depth + NegligibleDepth;
+    const double  enough = centres.depth + Parameters::NegligibleDepth;
     return this->MoveUphillOnAverage(p, [&](Vector & x) {
       return (mayLeave ? this->DistanceFromOwn(p, x) <= furthest : this->Admit(p, x, 0.0)) &&
              this->WorstTriangleAround(p, x) >= triangle && this->DepthAt(centres, p, x, enough) < enough;
@@ -407,8 +383,11 @@ FitInterfaces(const IndicatorSet &           indicators,
               std::vector<Vector> &          points,
               Monitor &                      monitor)
 {
-  InterfaceFit fit(indicators, constraint, exterior, parameters, complex, points, monitor);
+  InterfaceFit         fit(indicators, constraint, exterior, parameters, complex, points, monitor);
+  const SoundnessCheck check(complex, points);
   fit.BalanceVolumes();
+  check.AssertSound();
   fit.RecoverVoxelCentres();
+  check.AssertSound();
 }
 } // namespace mmm

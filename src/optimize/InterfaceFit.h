@@ -19,7 +19,7 @@
 #define mmmInterfaceFit_h
 
 #include "indicators/IndicatorSet.h"
-#include "optimize/MeshOptimizer.h"
+#include "optimize/OptimizationParameters.h"
 #include "base/Monitor.h"
 #include "optimize/TetrahedralComplex.h"
 

@@ -27,17 +27,8 @@ namespace mmm
 {
 namespace
 {
-/** Places that are tried, each for all corners. */
-constexpr int Trials = 400;
-/** What is this much better than poor is left alone. */
-constexpr double Enough = 1.1;
-/** Corners move by up to this at once, in units of the longest edge at the first one. */
-constexpr double LongestMove = 0.1;
 /** Nothing is worse. */
 constexpr double NoLimit = -1e300;
-/** What is worse by this is no worse. */
-constexpr double Negligible = 1e-9;
-
 /** A number in [-1, 1). */
 double
 Draw(std::uint64_t & state)
@@ -52,7 +43,7 @@ Draw(std::uint64_t & state)
 PointSmoother::Worth
 PointSmoother::WorthAround(const std::vector<PointId> & points, double poorQuality, const Worth & enough) const
 {
-  Worth worth{ Enough, Enough };
+  Worth worth{ OptimizationParameters::JointGoal, OptimizationParameters::JointGoal };
   for (const PointId p : points)
   {
     worth.triangle = std::min(worth.triangle, this->WorstTriangleAround(p, m_Points[p]) / m_Parameters.flatTriangle);
@@ -63,9 +54,10 @@ PointSmoother::WorthAround(const std::vector<PointId> & points, double poorQuali
   }
   for (const PointId p : points)
   {
-    worth.tetrahedron =
-      std::min(worth.tetrahedron,
-               this->WorstAround(p, m_Points[p], (enough.tetrahedron - Negligible) * poorQuality) / poorQuality);
+    worth.tetrahedron = std::min(
+      worth.tetrahedron,
+      this->WorstAround(p, m_Points[p], (enough.tetrahedron - OptimizationParameters::NegligibleLoss) * poorQuality) /
+        poorQuality);
     if (worth.tetrahedron < enough.tetrahedron)
     {
       return worth;
@@ -115,9 +107,11 @@ PointSmoother::MoveTogether(const std::vector<PointId> & corners, double poorQua
   Worth               worth = this->WorthAround(points, poorQuality, { NoLimit, NoLimit });
   std::uint64_t       state = corners[0];
   std::vector<Vector> before(points.size());
-  for (int trial = 0; trial < Trials && std::min(worth.triangle, worth.tetrahedron) < Enough; ++trial)
+  for (int trial = 0; trial < OptimizationParameters::JointTrials &&
+                      std::min(worth.triangle, worth.tetrahedron) < OptimizationParameters::JointGoal;
+       ++trial)
   {
-    const double step = LongestMove * size * std::abs(Draw(state));
+    const double step = OptimizationParameters::LongestJointMove * size * std::abs(Draw(state));
     for (std::size_t n = 0; n < points.size(); ++n)
     {
       before[n] = m_Points[points[n]];

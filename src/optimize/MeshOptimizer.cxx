@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "optimize/MeshOptimizer.h"
 
+#include "optimize/ComplexDefects.h"
 #include "optimize/ConnectivityImprover.h"
 #include "optimize/PointSmoother.h"
 #include "optimize/ShapeQuality.h"
@@ -31,23 +32,28 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
              TetrahedralComplex &           complex,
              Monitor &                      monitor)
 {
-  OptimizationReport report;
-  const double       flipQuality = QualityOfAngle(parameters.flipAngle);
-  const double       poorQuality = QualityOfAngle(parameters.poorAngle);
-  OptimizerState     state{ constraint, exterior, parameters, points, complex, report };
+  OptimizationReport   report;
+  const double         flipQuality = QualityOfAngle(parameters.flipAngle);
+  const double         poorQuality = QualityOfAngle(parameters.poorAngle);
+  OptimizerState       state{ constraint, exterior, parameters, points, complex, report };
+  const SoundnessCheck check(complex, points);
   report.moves += PointSmoother(constraint, exterior, parameters, points, complex).SmoothAll();
+  check.AssertSound();
   monitor.Report(0.1);
   for (int round = 0; round < parameters.rounds; ++round)
   {
     std::size_t changes = ImproveTriangles(state, parameters.poorTriangle);
+    check.AssertSound();
     changes += ImproveTetrahedra(state, flipQuality, poorQuality);
     complex.Compact();
+    check.AssertSound();
     PointSmoother smoother(constraint, exterior, parameters, points, complex);
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.moves += smoother.SmoothTriangles(parameters.lowTriangle);
     report.moves += smoother.SmoothJointly();
     report.moves += smoother.ReturnToCells();
+    check.AssertSound();
     report.rounds = round + 1;
     monitor.Report(0.1 + 0.9 * (round + 1) / parameters.rounds);
     if (changes == 0)

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "optimize/MovablePoints.h"
 
-#include "base/Parallel.h"
+#include "base/ParallelCollect.h"
 #include "optimize/ShapeQuality.h"
 #include "mesh/TetrahedronNeighbours.h"
 
@@ -29,9 +29,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** What is further from the interfaces, in units of their tolerance, is not near them: such points belong to the
- * image's box, for instance. */
-constexpr double NearInTolerances = 8.0;
 } // namespace
 
 MovablePoints::MovablePoints(const InterfaceConstraint &    constraint,
@@ -130,7 +127,7 @@ MovablePoints::ClassifyPoints()
     }
     else if (!outside[p] && m_Constraint.MayLeaveCell(PointId(p)) &&
              this->DistanceFromInterfaces(present, PointId(p), m_Points[p]) <
-               NearInTolerances * m_Parameters.interfaceTolerance)
+               OptimizationParameters::NearInTolerances * m_Parameters.interfaceTolerance)
     {
       m_Freedom[p] = Freedom::NearInterfaces;
     }
@@ -217,17 +214,7 @@ MovablePoints::MoveByColour(const std::function<bool(PointId)> & move)
   std::size_t total = 0;
   for (const auto & group : m_Colours)
   {
-    std::vector<std::size_t> moved((group.size() + Grain - 1) / Grain, 0);
-    ParallelFor(group.size(), Grain, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t n = begin; n < end; ++n)
-      {
-        moved[begin / Grain] += move(group[n]);
-      }
-    });
-    for (const auto count : moved)
-    {
-      total += count;
-    }
+    total += ParallelCount(group.size(), Grain, [&](std::size_t n) { return move(group[n]); });
   }
   return total;
 }

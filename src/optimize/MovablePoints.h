@@ -20,7 +20,7 @@
 
 #include "mesh/Incidence.h"
 #include "optimize/InterfaceConstraint.h"
-#include "optimize/MeshOptimizer.h"
+#include "optimize/OptimizationParameters.h"
 #include "optimize/TetrahedralComplex.h"
 
 #include <cstdint>

@@ -26,13 +26,14 @@ namespace mmm
 double
 OptimizerState::TriangleFloor(double quality)
 {
-  return quality < QualityOfAngle(10.0) ? 0.15 : 0.4;
+  return quality < QualityOfAngle(OptimizationParameters::FlatAngle) ? OptimizationParameters::TriangleFloorBesideFlat
+                                                                     : OptimizationParameters::TriangleFloor;
 }
 
 double
 OptimizerState::EnoughBesideTriangles(double before) const
 {
-  return std::min(before + LeastGain, QualityOfAngle(parameters.angleToKeepBesideTriangles));
+  return std::min(before + OptimizationParameters::LeastGain, QualityOfAngle(parameters.angleToKeepBesideTriangles));
 }
 
 void

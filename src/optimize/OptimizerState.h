@@ -18,9 +18,10 @@
 #ifndef mmmOptimizerState_h
 #define mmmOptimizerState_h
 
+#include "MultiMaterialMeshingReports.h"
 #include "optimize/ComplexChange.h"
 #include "optimize/InterfaceConstraint.h"
-#include "optimize/MeshOptimizer.h"
+#include "optimize/OptimizationParameters.h"
 #include "optimize/TetrahedralComplex.h"
 
 namespace mmm
@@ -32,8 +33,6 @@ struct OptimizerState
   using Id = TetrahedralComplex::Id;
   using Element = TetrahedralComplex::Element;
 
-  /** An operation has to raise the worst quality by this much. */
-  static constexpr double LeastGain = 1e-6;
   /** A floor that nothing is below. */
   static constexpr double AnyQuality = -2.0;
   /** A floor that no triangle reaches. */

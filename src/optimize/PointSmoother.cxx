@@ -29,39 +29,10 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 512;
-/** How much an interface triangle counts against a tetrahedron. */
-constexpr double TriangleWeight = 8.0;
-/** The worth of a triangle by its radius ratio: the worse, the more a gain counts. */
-double
-WorthOfTriangle(double radiusRatio)
-{
-  return radiusRatio - 0.5 / (radiusRatio + 0.05);
-}
-double
-DerivativeOfWorth(double radiusRatio)
-{
-  return 1.0 + 0.5 / ((radiusRatio + 0.05) * (radiusRatio + 0.05));
-}
-/** Steps uphill, in units of the distance to the nearest neighbor. */
-constexpr double LongestStep = 0.2;
-constexpr double TrialStep = 0.06;
-constexpr double ShortestStep = 0.01;
-constexpr int    Trials = 3;
-/** For the sake of tetrahedra, a particle leaves its cell, within the tolerance, only where one has an angle below
- * this, in degrees. */
-constexpr double AngleToLeaveCell = 20.0;
-/** Particles that are this near are on their cell, in units of the smallest voxel spacing. */
-constexpr double NegligibleDistance = 1e-3;
-/** Triangles keep this radius ratio when points return to their cells. */
-constexpr double TriangleToKeep = 0.5;
+/** Of a regular tetrahedron with edges of 1: the height, and twice the area of a face. */
+constexpr double HeightOfRegular = 0.8165;
+constexpr double AreaOfRegular = 0.8660254;
 } // namespace
-
-std::size_t
-PointSmoother::SmoothAll()
-{
-  return this->MoveByColour(
-    [this](PointId p) { return this->MoveUphillOnAverage(p, [&](Vector & x) { return this->Admit(p, x, 0.0); }); });
-}
 
 std::size_t
 PointSmoother::SmoothWorst(double quality, double tolerance)
@@ -140,125 +111,8 @@ PointSmoother::IdealPlace(PointId p, const Tetrahedron & t) const
   {
     return m_Points[p];
   }
-  const double height = 0.8165 * std::sqrt(area / 0.8660254);
+  const double height = HeightOfRegular * std::sqrt(area / AreaOfRegular);
   return (a + b + c) / 3.0 - height / area * normal;
-}
-
-/** The gradient of what TotalAround() gives, where p is. */
-Vector
-PointSmoother::GradientAround(PointId p) const
-{
-  Vector         gradient = Vector::Zero();
-  const Vector & x = m_Points[p];
-  const bool     withTetrahedra = m_Parameters.tetrahedronWeight > 0.0;
-  for (auto s = m_Star.Begin(p); withTetrahedra && s != m_Star.End(p); ++s)
-  {
-    if (this->IsExterior(*s))
-    {
-      continue;
-    }
-    // any order of the others will do: the radius ratio does not depend on the orientation
-    const Vector * others[3];
-    int            count = 0;
-    for (const auto corner : m_Tetrahedra[*s])
-    {
-      if (corner != p)
-      {
-        others[count++] = &m_Points[corner];
-      }
-    }
-    gradient += m_Parameters.tetrahedronWeight * TetrahedronRadiusRatioGradient(x, *others[0], *others[1], *others[2]);
-  }
-  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
-  {
-    const Vector & b = m_Points[m_Fan[f][0]];
-    const Vector & c = m_Points[m_Fan[f][1]];
-    gradient += TriangleWeight * DerivativeOfWorth(TriangleRadiusRatio(x, b, c)) * TriangleRadiusRatioGradient(x, b, c);
-  }
-  return gradient;
-}
-
-/** The sum of the radius ratios of tetrahedra around p and of the worth of triangles, if p were at x. */
-double
-PointSmoother::TotalAround(PointId p, const Vector & x) const
-{
-  double     total = 0.0;
-  const bool withTetrahedra = m_Parameters.tetrahedronWeight > 0.0;
-  for (auto s = m_Star.Begin(p); withTetrahedra && s != m_Star.End(p); ++s)
-  {
-    if (this->IsExterior(*s))
-    {
-      continue;
-    }
-    const auto &   t = m_Tetrahedra[*s];
-    const Vector * corners[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
-    }
-    total +=
-      m_Parameters.tetrahedronWeight * TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
-  }
-  for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
-  {
-    total += TriangleWeight * WorthOfTriangle(TriangleRadiusRatio(x, m_Points[m_Fan[f][0]], m_Points[m_Fan[f][1]]));
-  }
-  return total;
-}
-
-/** A step uphill in what TotalAround() gives, to a place that `admit` lets pass, or changes. Where the worst
- * tetrahedron around is good, it may lose a little. */
-bool
-PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)> & admit)
-{
-  if (m_Freedom[p] == Freedom::NearInterfaces)
-  {
-    return false;
-  }
-  double shortest = 1e300;
-  for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
-  {
-    for (const auto corner : m_Tetrahedra[*s])
-    {
-      if (corner != p)
-      {
-        shortest = std::min(shortest, (m_Points[corner] - m_Points[p]).squaredNorm());
-      }
-    }
-  }
-  shortest = std::sqrt(shortest);
-  const Vector from = m_Points[p];
-  const double total = this->TotalAround(p, from);
-  Vector       gradient = this->GradientAround(p);
-  if (m_Freedom[p] == Freedom::OnCell)
-  {
-    gradient = m_Constraint.AlongCell(p, from, gradient);
-  }
-  const double length = gradient.norm();
-  if (!(length > 0.0))
-  {
-    return false;
-  }
-  const auto at = [&](double step) { return Vector(from + gradient * (step * shortest / length)); };
-  // to the top of the parabola that has the total and its slope here, and the total at a trial
-  double step = 0.5 * TrialStep;
-  Vector x = at(TrialStep);
-  if (admit(x))
-  {
-    const double slope = length * shortest;
-    const double bend = slope - (this->TotalAround(p, x) - total) / TrialStep;
-    step = bend > 0.0 ? std::min(LongestStep, 0.5 * slope * TrialStep / bend) : LongestStep;
-  }
-  for (int trial = 0; trial < Trials && step > ShortestStep; ++trial, step *= 0.5)
-  {
-    x = at(step);
-    if (admit(x) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
-    {
-      m_Points[p] = x;
-      return true;
-    }
-  }
-  return false;
 }
 
 /** Searches for a place where the worst tetrahedron is better: towards what the worst ones want, then all around. */
@@ -299,7 +153,7 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
       break;
     }
     const Vector direction = this->IdealPlace(p, m_Tetrahedra[entry.second]) - m_Points[p];
-    for (const double share : { 0.5, 0.2, 0.05 })
+    for (const double share : OptimizationParameters::SharesOfIdeal)
     {
       if (this->TryMove(p, m_Points[p] + share * direction, 0.0, worst))
       {
@@ -308,7 +162,7 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
       }
     }
   }
-  if (worst >= 0.5 * quality)
+  if (worst >= OptimizationParameters::ShareOfPoorToSearch * quality)
   {
     return moved;
   }
@@ -319,11 +173,13 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
   }
   for (const double slack : { 0.0, tolerance })
   {
-    moved |= SearchAround(0.2 * size, 0.02 * size, [&](double step, const Vector & direction) {
-      return this->TryMove(p, m_Points[p] + step * direction, slack, worst);
-    });
+    moved |= SearchAround(OptimizationParameters::LongestSearch * size,
+                          OptimizationParameters::ShortestSearch * size,
+                          [&](double step, const Vector & direction) {
+                            return this->TryMove(p, m_Points[p] + step * direction, slack, worst);
+                          });
     // only the flattest ones may take their corners off their cells
-    if (m_Freedom[p] != Freedom::OnCell || worst >= QualityOfAngle(AngleToLeaveCell))
+    if (m_Freedom[p] != Freedom::OnCell || worst >= QualityOfAngle(OptimizationParameters::AngleToLeaveCell))
     {
       break;
     }
@@ -379,23 +235,26 @@ PointSmoother::SearchForTriangles(PointId p, const TAlong & along, const TAdmit 
   {
     size = std::max(size, (m_Points[m_Fan[f][0]] - m_Points[p]).norm());
   }
-  return SearchAround(0.2 * size, 0.01 * size, [&](double step, const Vector & direction) {
-    Vector x = m_Points[p] + step * along(direction);
-    // `admit` takes longest, and changes little where triangles are not flat
-    const bool isHopeless = worst >= m_Parameters.flatTriangle && !(this->WorstTriangleAround(p, x) > worst);
-    if (isHopeless || !admit(x))
-    {
-      return false;
-    }
-    const double reached = this->WorstTriangleAround(p, x);
-    if (!(reached > worst && this->StaysGood(p, x, m_Parameters.angleToKeepBesideTriangles)))
-    {
-      return false;
-    }
-    m_Points[p] = x;
-    worst = reached;
-    return true;
-  });
+  return SearchAround(OptimizationParameters::LongestSearch * size,
+                      OptimizationParameters::ShortestSearchForTriangles * size,
+                      [&](double step, const Vector & direction) {
+                        Vector x = m_Points[p] + step * along(direction);
+                        // `admit` takes longest, and changes little where triangles are not flat
+                        const bool isHopeless =
+                          worst >= m_Parameters.flatTriangle && !(this->WorstTriangleAround(p, x) > worst);
+                        if (isHopeless || !admit(x))
+                        {
+                          return false;
+                        }
+                        const double reached = this->WorstTriangleAround(p, x);
+                        if (!(reached > worst && this->StaysGood(p, x, m_Parameters.angleToKeepBesideTriangles)))
+                        {
+                          return false;
+                        }
+                        m_Points[p] = x;
+                        worst = reached;
+                        return true;
+                      });
 }
 
 /** Moves p to its cell, or half the way, if tetrahedra and triangles stay good enough. */
@@ -404,11 +263,12 @@ PointSmoother::MoveToCell(PointId p)
 {
   Vector onCell = m_Points[p];
   if (m_Freedom[p] != Freedom::OnCell || !m_Constraint.Project(p, onCell) ||
-      (onCell - m_Points[p]).norm() < NegligibleDistance)
+      (onCell - m_Points[p]).norm() < OptimizationParameters::OnCell)
   {
     return false;
   }
-  const double triangle = std::min(this->WorstTriangleAround(p, m_Points[p]), TriangleToKeep);
+  const double triangle =
+    std::min(this->WorstTriangleAround(p, m_Points[p]), OptimizationParameters::TriangleFloorOfReturn);
   const double angle = m_Parameters.angleToKeepBesideTriangles;
   return this->MoveIfGood(p, onCell, angle, triangle) ||
          this->MoveIfGood(p, m_Points[p] + 0.5 * (onCell - m_Points[p]), angle, triangle);

@@ -27,11 +27,17 @@
 
 namespace mmm
 {
+/** Above that of any tetrahedron. */
+constexpr double BestQuality = 2.0;
+
 /** 1 for a regular tetrahedron, 0 for a flat one, negative for an inverted one; it falls off alike for small and large
  * dihedral angles. Among tetrahedra of equal angles, those that are poor by their radius ratio count by that. */
 inline double
 ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {
+  // the cosine of a regular tetrahedron's angles is 1/3
+  constexpr double                 SmallAngleWeight = 1.5;
+  constexpr double                 LargeAngleWeight = 0.75;
   constexpr double                 RadiusRatioWeight = 0.5;
   const detail::TetrahedronNormals normals(a, b, c, d);
   if (!(normals.sixVolume > 0.0))
@@ -39,8 +45,8 @@ ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector 
     return -1.0;
   }
   const DihedralCosines cosines = detail::Cosines(normals);
-  return std::min({ (1.0 - cosines.largest) * 1.5,
-                    (1.0 + cosines.smallest) * 0.75,
+  return std::min({ (1.0 - cosines.largest) * SmallAngleWeight,
+                    (1.0 + cosines.smallest) * LargeAngleWeight,
                     RadiusRatioWeight * detail::RadiusRatio(normals) });
 }
 
@@ -48,7 +54,7 @@ ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector 
 inline double
 MaterialQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d, bool isExterior)
 {
-  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? 2.0 : -1.0) : ShapeQuality(a, b, c, d);
+  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? BestQuality : -1.0) : ShapeQuality(a, b, c, d);
 }
 
 /** The quality of a tetrahedron whose smallest dihedral angle is this, in degrees. */

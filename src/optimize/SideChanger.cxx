@@ -25,12 +25,6 @@ namespace mmm
 {
 using Id = OptimizerState::Id;
 
-namespace
-{
-/** A point that joins an interface splits a triangle into three that are at least this good. */
-constexpr double LeastRadiusRatio = 0.2;
-} // namespace
-
 bool
 SideChanger::GiveToOtherSide(Id t)
 {
@@ -124,7 +118,7 @@ SideChanger::ChangeOneFace(Id t, const Faces & faces)
   for (int n = 0; n < 3; ++n)
   {
     if ((x[n] - y).cross(x[(n + 1) % 3] - y).dot(normal) <= 0.0 ||
-        TriangleRadiusRatio(y, x[n], x[(n + 1) % 3]) < LeastRadiusRatio)
+        TriangleRadiusRatio(y, x[n], x[(n + 1) % 3]) < OptimizationParameters::TriangleFloorOfSplit)
     {
       return false;
     }

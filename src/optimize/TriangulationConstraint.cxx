@@ -29,17 +29,10 @@ namespace mmm
 {
 namespace
 {
-/** Points slide no further than the mean length of the edges around them. */
-constexpr double LongestSlide = 1.0;
-/** The other side of a thin sheet is no place to slide to. */
-constexpr double LeastAlignment = 0.3;
-/** How far from a chord towards the mean of its ends' tangents: half of the way is on the circle. */
-constexpr double Roundness = 0.5;
-
 Vector
 RoundOff(const Vector & chord, const Vector & tangents, double tolerance)
 {
-  const Vector rise = Roundness * (tangents - chord);
+  const Vector rise = TriangulationParameters::Roundness * (tangents - chord);
   const double height = rise.norm();
   return chord + (height > tolerance ? tolerance / height : 1.0) * rise;
 }
@@ -64,9 +57,11 @@ TriangulationConstraint::TriangulationConstraint(const std::vector<Vector> & poi
   , m_LeastCosine(std::cos(featureAngle * itk::Math::pi / 180.0))
   , m_Points(points)
   , m_Interfaces(ExtractInterfaces(mesh, outside))
+  , m_Patches(FindSmoothPatches(points, m_Interfaces, m_LeastCosine))
+  , m_CornerNormals(m_Interfaces.triangles.size())
   , m_Homes(points.size())
 {
-  this->FindPatches();
+  this->MeasureTriangles();
   this->GiveCells(mesh);
   this->ClassifyPoints();
   this->FindCurves();
@@ -75,76 +70,27 @@ TriangulationConstraint::TriangulationConstraint(const std::vector<Vector> & poi
 double
 TriangulationConstraint::ToleranceAt(double edgeLength) const
 {
-  return std::isnan(m_Tolerance) ? ToleranceOfEdges * edgeLength : m_Tolerance;
+  return std::isnan(m_Tolerance) ? TriangulationParameters::ToleranceOfEdges * edgeLength : m_Tolerance;
 }
 
-/** Triangles of the same two materials are one patch where they meet smoothly; all other edges are seams. */
+/** What closest points are looked up in, and how far from each triangle interfaces may go. */
 void
-TriangulationConstraint::FindPatches()
+TriangulationConstraint::MeasureTriangles()
 {
-  const auto &                       triangles = m_Interfaces.triangles;
-  std::vector<TriangleTree::Corners> corners(triangles.size());
-  m_Normals.resize(triangles.size());
-  m_CornerNormals.resize(triangles.size());
-  m_Tolerances.resize(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  std::vector<TriangleTree::Corners> corners;
+  for (const auto & triangle : m_Interfaces.triangles)
   {
-    for (int c = 0; c < 3; ++c)
-    {
-      corners[t][c] = m_Points[triangles[t][c]];
-    }
+    const Vector & a = m_Points[triangle[0]];
+    const Vector & b = m_Points[triangle[1]];
+    const Vector & c = m_Points[triangle[2]];
+    corners.push_back({ { a, b, c } });
     double length = 0.0;
-    for (int c = 0; c < 3; ++c)
+    for (const Vector & edge : { Vector(a - b), Vector(b - c), Vector(c - a) })
     {
-      length += (corners[t][c] - corners[t][(c + 1) % 3]).norm() / 3.0;
+      length += edge.norm() / 3.0;
     }
-    m_Tolerances[t] = this->ToleranceAt(length);
-    m_LargestTolerance = std::max(m_LargestTolerance, m_Tolerances[t]);
-    m_Normals[t] = (corners[t][1] - corners[t][0]).cross(corners[t][2] - corners[t][0]).normalized();
-  }
-
-  struct Use
-  {
-    std::array<PointId, 2> points;
-    std::uint32_t          triangle;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      const PointId a = triangles[t][c];
-      const PointId b = triangles[t][(c + 1) % 3];
-      uses.push_back({ { { std::min(a, b), std::max(a, b) } }, t });
-    }
-  }
-  std::sort(uses.begin(), uses.end(), [](const Use & a, const Use & b) {
-    return a.points != b.points ? a.points < b.points : a.triangle < b.triangle;
-  });
-  DisjointSets sets(triangles.size());
-  for (std::size_t first = 0, last = 0; first < uses.size(); first = last)
-  {
-    while (last < uses.size() && uses[last].points == uses[first].points)
-    {
-      ++last;
-    }
-    const std::uint32_t one = uses[first].triangle;
-    const std::uint32_t two = uses[last - 1].triangle;
-    if (last - first == 2 && m_Interfaces.sides[one] == m_Interfaces.sides[two] &&
-        m_Normals[one].dot(m_Normals[two]) > m_LeastCosine)
-    {
-      sets.Unite(one, two);
-    }
-    else
-    {
-      m_Seams.push_back({ uses[first].points, last - first });
-    }
-  }
-  m_Patches.resize(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-  {
-    m_Patches[t] = sets.Find(t);
+    m_Tolerances.push_back(this->ToleranceAt(length));
+    m_LargestTolerance = std::max(m_LargestTolerance, m_Tolerances.back());
   }
   m_TriangleTree = std::make_unique<TriangleTree>(std::move(corners));
 }
@@ -225,7 +171,7 @@ TriangulationConstraint::FindCornerNormals(const std::uint32_t * begin, const st
     Vector sum = Vector::Zero();
     for (auto other = begin; other != end; ++other)
     {
-      if (m_Patches[*other] == m_Patches[*t])
+      if (m_Patches.ofTriangles[*other] == m_Patches.ofTriangles[*t])
       {
         const Triangle & corners = m_Interfaces.triangles[*other];
         sum += (m_Points[corners[1]] - m_Points[corners[0]]).cross(m_Points[corners[2]] - m_Points[corners[0]]);
@@ -242,9 +188,9 @@ TriangulationConstraint::ClassifyPoints()
   const auto &    triangles = m_Interfaces.triangles;
   const Incidence trianglesAt(
     m_Points.size(), triangles.size(), [&](std::size_t t) -> const Triangle & { return triangles[t]; });
-  const Incidence seamsAt(m_Points.size(), m_Seams.size(), [&](std::size_t s) -> const std::array<PointId, 2> & {
-    return m_Seams[s].points;
-  });
+  const Incidence seamsAt(m_Points.size(),
+                          m_Patches.seams.size(),
+                          [&](std::size_t s) -> const std::array<PointId, 2> & { return m_Patches.seams[s].points; });
   for (PointId p = 0; p < m_Points.size(); ++p)
   {
     const auto first = trianglesAt.Begin(p);
@@ -263,7 +209,7 @@ TriangulationConstraint::ClassifyPoints()
       double lengths = 0.0;
       for (auto t = first; t != last; ++t)
       {
-        home.direction += m_Normals[*t];
+        home.direction += m_Patches.normals[*t];
         for (const auto corner : triangles[*t])
         {
           lengths += 0.5 * (m_Points[corner] - m_Points[p]).norm() / double(last - first);
@@ -273,16 +219,17 @@ TriangulationConstraint::ClassifyPoints()
       double cosine = 1.0;
       for (auto t = first; t != last; ++t)
       {
-        cosine = std::min(cosine, home.direction.dot(m_Normals[*t]));
+        cosine = std::min(cosine, home.direction.dot(m_Patches.normals[*t]));
       }
-      home.part = m_Patches[*first];
-      home.reach = ReachOf(this->ToleranceAt(lengths), cosine, LongestSlide * lengths);
+      home.part = m_Patches.ofTriangles[*first];
+      home.reach = ReachOf(this->ToleranceAt(lengths), cosine, TriangulationParameters::LongestSlide * lengths);
       continue;
     }
-    if (count == 2 && m_Seams[seams[0]].triangles == m_Seams[seams[1]].triangles && m_Seams[seams[0]].triangles <= 3)
+    if (count == 2 && m_Patches.seams[seams[0]].triangles == m_Patches.seams[seams[1]].triangles &&
+        m_Patches.seams[seams[0]].triangles <= 3)
     {
       const auto along = [&](std::uint32_t s) {
-        const auto & ends = m_Seams[s].points;
+        const auto & ends = m_Patches.seams[s].points;
         return Vector(m_Points[ends[0] == p ? ends[1] : ends[0]] - m_Points[p]);
       };
       const Vector one = along(seams[0]);
@@ -292,7 +239,9 @@ TriangulationConstraint::ClassifyPoints()
         home.direction = (one.normalized() - two.normalized()).normalized();
         home.part = seams[0];
         const double length = 0.5 * (one.norm() + two.norm());
-        home.reach = ReachOf(this->ToleranceAt(length), home.direction.dot(one.normalized()), LongestSlide * length);
+        home.reach = ReachOf(this->ToleranceAt(length),
+                             home.direction.dot(one.normalized()),
+                             TriangulationParameters::LongestSlide * length);
         if (m_Cells[p].count == 2)
         {
           m_Cells[p].Join(Cell{ this->CreaseOf(m_Cells[p].materials[0]) });
@@ -308,10 +257,10 @@ TriangulationConstraint::ClassifyPoints()
 void
 TriangulationConstraint::FindCurves()
 {
-  DisjointSets sets(m_Seams.size());
-  for (std::uint32_t s = 0; s < m_Seams.size(); ++s)
+  DisjointSets sets(m_Patches.seams.size());
+  for (std::uint32_t s = 0; s < m_Patches.seams.size(); ++s)
   {
-    for (const PointId p : m_Seams[s].points)
+    for (const PointId p : m_Patches.seams[s].points)
     {
       if (m_Cells[p].Dimension() == 1)
       {
@@ -320,10 +269,10 @@ TriangulationConstraint::FindCurves()
     }
   }
   std::vector<TriangleTree::Corners> segments;
-  for (std::uint32_t s = 0; s < m_Seams.size(); ++s)
+  for (std::uint32_t s = 0; s < m_Patches.seams.size(); ++s)
   {
     m_Curves.push_back(sets.Find(s));
-    const auto & ends = m_Seams[s].points;
+    const auto & ends = m_Patches.seams[s].points;
     segments.push_back({ { m_Points[ends[0]], m_Points[ends[1]], m_Points[ends[1]] } });
   }
   for (PointId p = 0; p < m_Points.size(); ++p)
@@ -341,7 +290,7 @@ Vector
 TriangulationConstraint::OnCurvedTriangle(std::uint32_t triangle, const Vector & x) const
 {
   const Triangle & corners = m_Interfaces.triangles[triangle];
-  const Vector &   normal = m_Normals[triangle];
+  const Vector &   normal = m_Patches.normals[triangle];
   Vector           curved = Vector::Zero();
   double           total = 0.0;
   for (int c = 0; c < 3; ++c)
@@ -359,7 +308,7 @@ TriangulationConstraint::OnCurvedTriangle(std::uint32_t triangle, const Vector &
 Vector
 TriangulationConstraint::OnCurvedSeam(std::uint32_t seam, const Vector & x) const
 {
-  const auto &   ends = m_Seams[seam].points;
+  const auto &   ends = m_Patches.seams[seam].points;
   const Vector & a = m_Points[ends[0]];
   const Vector   chord = m_Points[ends[1]] - a;
   const double   share = (x - a).dot(chord) / chord.squaredNorm();
@@ -382,8 +331,9 @@ TriangulationConstraint::Project(PointId p, Vector & x) const
                            ? m_TriangleTree->FindNearest(x,
                                                        reach,
                                                        [&](std::uint32_t t) {
-                                                         return m_Patches[t] == home.part &&
-                                                                m_Normals[t].dot(home.direction) > LeastAlignment;
+                                                         return m_Patches.ofTriangles[t] == home.part &&
+                                                                m_Patches.normals[t].dot(home.direction) >
+                                                                  TriangulationParameters::LeastAlignment;
                                                        })
                            : m_SeamTree->FindNearest(x, reach, [&](std::uint32_t s) { return m_Curves[s] == home.part; });
   if (nearest.triangle == TriangleTree::None || (nearest.point - home.place).norm() > home.reach)
@@ -413,8 +363,9 @@ double
 TriangulationConstraint::DistanceToInterface(Material a, Material b, const Vector & x, PointId) const
 {
   const std::array<Material, 2> sides{ { std::min(a, b), std::max(a, b) } };
-  const auto                    nearest = m_TriangleTree->FindNearest(
-    x, 4.0 * m_LargestTolerance, [&](std::uint32_t t) { return m_Interfaces.sides[t] == sides; });
-  return nearest.triangle == TriangleTree::None ? 1e30 : nearest.distance / m_Tolerances[nearest.triangle];
+  const auto                    nearest = m_TriangleTree->FindNearest(x,
+                                                   TriangulationParameters::ReachInTolerances * m_LargestTolerance,
+                                                   [&](std::uint32_t t) { return m_Interfaces.sides[t] == sides; });
+  return nearest.triangle == TriangleTree::None ? NoInterface : nearest.distance / m_Tolerances[nearest.triangle];
 }
 } // namespace mmm

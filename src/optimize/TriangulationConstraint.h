@@ -19,7 +19,9 @@
 #define mmmTriangulationConstraint_h
 
 #include "optimize/InterfaceConstraint.h"
+#include "optimize/OptimizationParameters.h"
 #include "mesh/InterfaceMesh.h"
+#include "optimize/SmoothPatches.h"
 #include "optimize/TriangleTree.h"
 
 #include <memory>
@@ -37,9 +39,6 @@ namespace mmm
 class TriangulationConstraint : public InterfaceConstraint
 {
 public:
-  /** The tolerance where edges are this long, if it is automatic. */
-  static constexpr double ToleranceOfEdges = 0.07;
-
   /** Materials are below `outside`, which stands for what is beyond the mesh. The tolerance is automatic if it is not a
    * number. */
   TriangulationConstraint(const std::vector<Vector> & points,
@@ -78,12 +77,6 @@ private:
     std::uint32_t part{ 0 };
     double        reach{ 0.0 };
   };
-  /** An edge of triangles at which a patch ends. */
-  struct Seam
-  {
-    std::array<PointId, 2> points;
-    std::size_t            triangles;
-  };
 
   /** The crease of a material: a pseudo-material that stands for it. */
   Material
@@ -92,7 +85,7 @@ private:
     return Material(m_Outside + 1 + m);
   }
   void
-  FindPatches();
+  MeasureTriangles();
   void
   GiveCells(const TetrahedralMesh & mesh);
   void
@@ -118,13 +111,11 @@ private:
   double                    m_LargestTolerance{ 0.0 };
   const std::vector<Vector> m_Points;
   InterfaceMesh             m_Interfaces;
-  std::vector<Vector>       m_Normals;
+  SmoothPatches             m_Patches;
   /** At the corners of each triangle, those of its patch. */
   std::vector<std::array<Vector, 3>> m_CornerNormals;
   /** Of triangles. */
   std::vector<double>           m_Tolerances;
-  std::vector<std::uint32_t>    m_Patches;
-  std::vector<Seam>             m_Seams;
   std::vector<std::uint32_t>    m_Curves;
   std::vector<Home>             m_Homes;
   std::unique_ptr<TriangleTree> m_TriangleTree;
