@@ -58,6 +58,12 @@ Words(int code)
   }
 }
 
+[[noreturn]] void
+ThrowFailure(const std::string & words)
+{
+  throw TetGenFailure(__FILE__, __LINE__, words, "");
+}
+
 /** What went wrong in words; empty if nothing did.
  * \throw itk::MemoryAllocationError */
 std::string
@@ -220,7 +226,7 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
   const std::string failure = Run("zJQ", in, out);
   if (!failure.empty())
   {
-    itkGenericExceptionMacro(<< failure);
+    ThrowFailure(failure);
   }
   return OrientedTetrahedra(out);
 }
@@ -233,7 +239,7 @@ ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Tr
   const std::string failure = Run("zpcYMJQ", in.io, out);
   if (!failure.empty())
   {
-    itkGenericExceptionMacro(<< failure);
+    ThrowFailure(failure);
   }
 
   // with -J TetGen keeps all input points in front, in their order

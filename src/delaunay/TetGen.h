@@ -21,19 +21,29 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedralMesh.h"
 
+#include "itkMacro.h"
+
 #include <string>
 
 namespace mmm
 {
+/** \brief TetGen stopped at what it was given, and may do with other points. That memory runs out is no such failure.
+ */
+class TetGenFailure : public itk::ExceptionObject
+{
+public:
+  using itk::ExceptionObject::ExceptionObject;
+};
+
 /** The Delaunay tetrahedralization of a set of points, positively oriented and sorted by smallest corners. Throws
- * itk::ExceptionObject with TetGen's own words where it fails. */
+ * TetGenFailure with TetGen's own words where it fails. */
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
                             DelaunayTetrahedralization(const std::vector<Vector> & points);
 
 /** \brief The constrained Delaunay tetrahedralization of facets, without Steiner points on them, up to the convex hull.
  *
  * Tetrahedra are oriented and sorted likewise. `points` holds the facets' points and others. Points keep their numbers;
- * those that TetGen had to add between the facets in order to recover them are appended. Throws itk::ExceptionObject
+ * those that TetGen had to add between the facets in order to recover them are appended. Throws TetGenFailure
  * with TetGen's own words where it fails. */
 MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);

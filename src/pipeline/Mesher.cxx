@@ -123,7 +123,7 @@ Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
   {
     result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
   }
-  catch (const itk::ExceptionObject &)
+  catch (const TetGenFailure &)
   {
     result.report.recoveryFailed = true;
     if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
@@ -237,7 +237,7 @@ BuildMesh(const IndicatorSet &      indicators,
   {
     Tetrahedralize(numberOfFixedPoints, result);
   }
-  catch (itk::ExceptionObject & error)
+  catch (TetGenFailure & error)
   {
     if (!parameters.surfaceOnly)
     {
