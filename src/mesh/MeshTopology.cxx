@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "mesh/MeshTopology.h"
+#include "mesh/BoundarySheets.h"
 #include "base/DisjointSets.h"
 #include "mesh/Incidence.h"
 #include "base/Parallel.h"
@@ -32,42 +33,6 @@ constexpr std::size_t PointsPerRange = 4096;
 
 /** Counts per region that threads add to; integers, so that the order does not matter. */
 using Counts = std::vector<std::atomic<std::size_t>>;
-
-/** A key of two numbers and what belongs to it; sorted, equal keys are neighbours. */
-struct Keyed
-{
-  std::uint64_t key;
-  std::uint32_t value;
-
-  bool
-  operator<(const Keyed & other) const
-  {
-    return key != other.key ? key < other.key : value < other.value;
-  }
-};
-
-std::uint64_t
-Key(std::uint32_t high, std::uint32_t low)
-{
-  return std::uint64_t(high) << 32 | low;
-}
-
-/** Calls body(begin, end) for each run of equal keys. */
-template <typename TBody>
-void
-ForEachRun(const std::vector<Keyed> & sorted, const TBody & body)
-{
-  for (std::size_t begin = 0; begin < sorted.size();)
-  {
-    std::size_t end = begin + 1;
-    while (end < sorted.size() && sorted[end].key == sorted[begin].key)
-    {
-      ++end;
-    }
-    body(begin, end);
-    begin = end;
-  }
-}
 
 Tetrahedron
 Sorted(Tetrahedron tetrahedron)
@@ -318,11 +283,12 @@ private:
             {
               partsByEdge.Unite(faces[edges[first].value].tetrahedron, faces[edges[i].value].tetrahedron);
             }
-            this->JoinSheets(std::uint32_t(p),
-                             std::uint32_t(edges[first].key >> 32),
-                             edges.data() + first,
-                             edges.data() + last,
-                             sheets);
+            JoinSheets(m_Points,
+                       m_Tetrahedra,
+                       faces,
+                       { { std::uint32_t(p), std::uint32_t(edges[first].key >> 32) } },
+                       { edges.data() + first, edges.data() + last },
+                       sheets);
           }
         });
         if (withBettiNumbers)
@@ -360,64 +326,6 @@ private:
     {
       auto & betti = m_Result.regions[region].betti;
       betti[1] = betti[0] + betti[2] - m_Characteristics[region];
-    }
-  }
-
-  /** Joins the faces of a region's boundary at one of its edges by the wedges of complement between them. */
-  void
-  JoinSheets(std::uint32_t p, std::uint32_t q, const Keyed * begin, const Keyed * end, DisjointSets & sheets) const
-  {
-    const std::size_t count = end - begin;
-    if (count == 2)
-    {
-      sheets.Unite(begin[0].value, begin[1].value);
-    }
-    if (count <= 2)
-    {
-      return;
-    }
-    struct Spoke
-    {
-      double        angle;
-      std::uint32_t face;
-      /** Whether the region follows counter-clockwise, and not the complement. */
-      bool regionFollows;
-
-      bool
-      operator<(const Spoke & other) const
-      {
-        return angle != other.angle ? angle < other.angle : face < other.face;
-      }
-    };
-    const Vector       origin = m_Points[p];
-    const Vector       axis = (m_Points[q] - origin).normalized();
-    Vector             x;
-    Vector             y;
-    std::vector<Spoke> spokes(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const auto & face = m_Result.boundaryFaces[begin[i].value];
-      const auto & tetrahedron = m_Tetrahedra[face.tetrahedron];
-      // what is left when the known points are taken out
-      const auto   tip = face.points[0] ^ face.points[1] ^ face.points[2] ^ p ^ q;
-      const auto   inside = tip ^ p ^ q ^ tetrahedron[0] ^ tetrahedron[1] ^ tetrahedron[2] ^ tetrahedron[3];
-      const Vector spoke = m_Points[tip] - origin;
-      if (i == 0)
-      {
-        x = (spoke - spoke.dot(axis) * axis).normalized();
-        y = axis.cross(x);
-      }
-      spokes[i].angle = std::atan2(spoke.dot(y), spoke.dot(x));
-      spokes[i].face = begin[i].value;
-      spokes[i].regionFollows = axis.cross(spoke).dot(m_Points[inside] - origin) > 0.0;
-    }
-    std::sort(spokes.begin(), spokes.end());
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (!spokes[i].regionFollows)
-      {
-        sheets.Unite(spokes[i].face, spokes[(i + 1) % count].face);
-      }
     }
   }
 

@@ -16,18 +16,17 @@
  *
  *=========================================================================*/
 #include "quality/MeshQuality.h"
-
-#include "base/MakeUnique.h"
-#include "base/Parallel.h"
-#include "base/Points.h"
-#include "mesh/Incidence.h"
-#include "mesh/MeshTopology.h"
 #include "quality/Distribution.h"
+#include "mesh/Incidence.h"
+#include "base/MakeUnique.h"
+#include "mesh/MeshTopology.h"
+#include "base/ParallelCollect.h"
+#include "quality/TetrahedronMeasurement.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <iomanip>
 #include <limits>
-#include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
@@ -38,12 +37,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t ItemsPerRange = 16384;
-
-std::size_t
-NumberOfRanges(std::size_t items)
-{
-  return (items + ItemsPerRange - 1) / ItemsPerRange;
-}
 
 void
 CheckInput(const std::vector<Vector> &      points,
@@ -97,162 +90,6 @@ DistinctLabels(const std::vector<int> & labels)
   std::vector<int> distinct(seen.begin(), seen.end());
   std::sort(distinct.begin(), distinct.end());
   return distinct;
-}
-
-/** Adds what can be added; the distributions are left alone. */
-void
-Add(TetrahedronStatistics & sum, const TetrahedronStatistics & part)
-{
-  sum.count += part.count;
-  sum.volume += part.volume;
-  sum.largestVolume = std::max(sum.largestVolume, part.largestVolume);
-  sum.nonPositive += part.nonPositive;
-  sum.largestAngle = std::max(sum.largestAngle, part.largestAngle);
-  for (int i = 0; i < 3; ++i)
-  {
-    sum.below[i] += part.below[i];
-    sum.above[i] += part.above[i];
-  }
-  for (int i = 0; i < TetrahedronStatistics::RadiusRatioBins; ++i)
-  {
-    sum.radiusRatioHistogram[i] += part.radiusRatioHistogram[i];
-  }
-  for (int i = 0; i < TetrahedronStatistics::DihedralAngleBins; ++i)
-  {
-    sum.dihedralAngleHistogram[i] += part.dihedralAngleHistogram[i];
-  }
-}
-
-/** The last bin has the upper end as well. */
-template <std::size_t VBins>
-void
-Count(std::array<std::size_t, VBins> & histogram, double fraction)
-{
-  ++histogram[fraction < 1.0 ? std::size_t(fraction * VBins) : VBins - 1];
-}
-
-double
-Badness(const PoorTetrahedron & tetrahedron)
-{
-  return std::min(tetrahedron.smallestAngle, 180.0 - tetrahedron.largestAngle);
-}
-
-/** Tetrahedra by region: first the ones of region 0, ascending, and so on. */
-Incidence
-GroupByRegion(const std::vector<std::uint32_t> & regions, std::size_t numberOfRegions)
-{
-  return Incidence(
-    numberOfRegions, regions.size(), [&](std::size_t t) -> std::array<std::uint32_t, 1> { return { { regions[t] } }; });
-}
-
-void
-MeasureTetrahedra(const std::vector<Vector> &        points,
-                  const std::vector<Tetrahedron> &   tetrahedra,
-                  const std::vector<std::uint32_t> & regions,
-                  const MeshQualityOptions &         options,
-                  MeshQualityReport &                report)
-{
-  struct Part
-  {
-    std::uint32_t         region;
-    TetrahedronStatistics statistics;
-  };
-  // grouped by region, so that a range meets few of them and their values stay together
-  const Incidence                           groups = GroupByRegion(regions, report.labels.size());
-  const std::uint32_t * const               order = groups.Begin(0);
-  const std::size_t                         count = tetrahedra.size();
-  std::vector<double>                       radiusRatios(count);
-  std::vector<double>                       smallestAngles(count);
-  std::vector<std::vector<Part>>            parts(NumberOfRanges(count));
-  std::vector<std::vector<PoorTetrahedron>> poor(NumberOfRanges(count));
-  ParallelFor(count, ItemsPerRange, [&](std::size_t begin, std::size_t end) {
-    auto & rangeParts = parts[begin / ItemsPerRange];
-    auto & rangePoor = poor[begin / ItemsPerRange];
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      const std::uint32_t t = order[i];
-      if (rangeParts.empty() || rangeParts.back().region != regions[t])
-      {
-        rangeParts.push_back({ regions[t], {} });
-      }
-      auto &         part = rangeParts.back().statistics;
-      const Vector & a = points[tetrahedra[t][0]];
-      const Vector & b = points[tetrahedra[t][1]];
-      const Vector & c = points[tetrahedra[t][2]];
-      const Vector & d = points[tetrahedra[t][3]];
-      const double   volume = TetrahedronVolume(a, b, c, d);
-      const auto     angles = DihedralAngles(a, b, c, d);
-      const double   smallest = *std::min_element(angles.begin(), angles.end());
-      const double   largest = *std::max_element(angles.begin(), angles.end());
-      radiusRatios[i] = TetrahedronRadiusRatio(a, b, c, d);
-      smallestAngles[i] = smallest;
-
-      ++part.count;
-      part.volume += std::abs(volume);
-      part.largestVolume = std::max(part.largestVolume, std::abs(volume));
-      part.nonPositive += !(volume > 0.0);
-      part.largestAngle = std::max(part.largestAngle, largest);
-      for (int k = 0; k < 3; ++k)
-      {
-        part.below[k] += smallest < 5.0 * (k + 1);
-        part.above[k] += largest > 165.0 + 5.0 * k;
-      }
-      Count(part.radiusRatioHistogram, radiusRatios[i]);
-      for (const double angle : angles)
-      {
-        Count(part.dihedralAngleHistogram, angle / 180.0);
-      }
-      if (smallest < options.smallestAngle || largest > options.largestAngle)
-      {
-        PoorTetrahedron tetrahedron;
-        tetrahedron.index = t;
-        tetrahedron.label = report.labels[regions[t]].label;
-        tetrahedron.center = ToPoint(0.25 * (a + b + c + d));
-        tetrahedron.smallestAngle = smallest;
-        tetrahedron.largestAngle = largest;
-        rangePoor.push_back(tetrahedron);
-      }
-    }
-  });
-
-  for (const auto & range : parts)
-  {
-    for (const auto & part : range)
-    {
-      Add(report.labels[part.region].tetrahedra, part.statistics);
-    }
-  }
-  ParallelFor(report.labels.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t region = begin; region < end; ++region)
-    {
-      auto &            statistics = report.labels[region].tetrahedra;
-      const std::size_t first = groups.Begin(region) - order;
-      const std::size_t last = groups.End(region) - order;
-      statistics.radiusRatio = Summarize(radiusRatios.data() + first, radiusRatios.data() + last);
-      statistics.smallestAngle = Summarize(smallestAngles.data() + first, smallestAngles.data() + last);
-    }
-  });
-  auto & whole = report.tetrahedra;
-  for (const auto & label : report.labels)
-  {
-    Add(whole, label.tetrahedra);
-  }
-  whole.radiusRatio = Summarize(radiusRatios.data(), radiusRatios.data() + count);
-  whole.smallestAngle = Summarize(smallestAngles.data(), smallestAngles.data() + count);
-
-  for (const auto & range : poor)
-  {
-    report.poorest.insert(report.poorest.end(), range.begin(), range.end());
-  }
-  report.poorTetrahedra = report.poorest.size();
-  const auto listed = std::min(options.maximumListed, report.poorest.size());
-  std::partial_sort(report.poorest.begin(),
-                    report.poorest.begin() + listed,
-                    report.poorest.end(),
-                    [](const PoorTetrahedron & a, const PoorTetrahedron & b) {
-                      return Badness(a) != Badness(b) ? Badness(a) < Badness(b) : a.index < b.index;
-                    });
-  report.poorest.resize(listed);
 }
 
 void
@@ -361,46 +198,16 @@ CountDuplicatePoints(const std::vector<Vector> & points, double tolerance)
     }
     return { { std::size_t(mixed % points.size()) } };
   };
-  const Incidence          buckets(points.size(), points.size(), hash);
-  std::vector<std::size_t> duplicates(NumberOfRanges(points.size()), 0);
-  ParallelFor(points.size(), ItemsPerRange, [&](std::size_t begin, std::size_t end) {
+  const Incidence buckets(points.size(), points.size(), hash);
+  return ParallelCount(points.size(), ItemsPerRange, [&](std::size_t b) {
     std::vector<Coordinates> bucket;
-    for (std::size_t b = begin; b < end; ++b)
+    for (auto p = buckets.Begin(b); p != buckets.End(b); ++p)
     {
-      bucket.clear();
-      for (auto p = buckets.Begin(b); p != buckets.End(b); ++p)
-      {
-        bucket.push_back(rounded(*p));
-      }
-      std::sort(bucket.begin(), bucket.end());
-      duplicates[begin / ItemsPerRange] += bucket.end() - std::unique(bucket.begin(), bucket.end());
+      bucket.push_back(rounded(*p));
     }
+    std::sort(bucket.begin(), bucket.end());
+    return std::size_t(bucket.end() - std::unique(bucket.begin(), bucket.end()));
   });
-  std::size_t count = 0;
-  for (const auto range : duplicates)
-  {
-    count += range;
-  }
-  return count;
-}
-
-void
-PrintRow(std::ostream & os, const std::string & name, const TetrahedronStatistics & statistics)
-{
-  os << std::setw(8) << name << std::setw(10) << statistics.count << std::setw(12) << statistics.volume;
-  for (const auto * distribution : { &statistics.radiusRatio, &statistics.smallestAngle })
-  {
-    os << std::setw(11) << distribution->average << std::setw(11) << distribution->firstPercentile << std::setw(11)
-       << distribution->minimum;
-  }
-  os << std::setw(9) << statistics.largestAngle;
-  for (const auto & counts : { statistics.below, statistics.above })
-  {
-    for (const auto count : counts)
-    {
-      os << std::setw(8) << count;
-    }
-  }
 }
 } // namespace
 
@@ -449,57 +256,5 @@ ComputeMeshQuality(const std::vector<Vector> &      points,
     report.nonManifoldEdges += found.nonManifoldEdges;
   }
   return report;
-}
-
-const char *
-ToString(PoorTetrahedron::Place place)
-{
-  switch (place)
-  {
-    case PoorTetrahedron::Place::Interior:
-      return "interior";
-    case PoorTetrahedron::Place::BesideInterface:
-      return "beside an interface";
-    case PoorTetrahedron::Place::AcrossLayer:
-      return "across a thin layer";
-    default:
-      return "on an interface";
-  }
-}
-
-std::ostream &
-operator<<(std::ostream & os, const MeshQualityReport & report)
-{
-  const auto flags = os.flags();
-  const auto precision = os.precision(4);
-  os << std::dec << std::defaultfloat << std::right;
-  os << "points: " << report.points << ", unused: " << report.unusedPoints << ", duplicates: " << report.duplicatePoints
-     << '\n';
-  os << "tetrahedra: " << report.tetrahedra.count << ", not positive: " << report.tetrahedra.nonPositive
-     << ", faces with more than two: " << report.overusedFaces << '\n';
-  os << "interface triangles: " << report.interfaceTriangles
-     << ", radius ratio average: " << report.interfaceRadiusRatio.average
-     << ", 1 %: " << report.interfaceRadiusRatio.firstPercentile << ", minimum: " << report.interfaceRadiusRatio.minimum
-     << '\n';
-  os << "edges of the labels' boundaries, open: " << report.openEdges << ", non-manifold: " << report.nonManifoldEdges
-     << '\n';
-  os << "   label     count      volume     RR avg     RR 1 %     RR min  angle avg  angle 1 %  angle min"
-     << "  max       <5     <10     <15    >165    >170    >175   parts    open  non-mf"
-     << (report.hasBettiNumbers ? "  b0 b1 b2\n" : "\n");
-  PrintRow(os, "all", report.tetrahedra);
-  os << '\n';
-  for (const auto & label : report.labels)
-  {
-    PrintRow(os, std::to_string(label.label), label.tetrahedra);
-    os << std::setw(8) << label.components << std::setw(8) << label.openEdges << std::setw(8) << label.nonManifoldEdges;
-    if (report.hasBettiNumbers)
-    {
-      os << "  " << label.betti[0] << ' ' << label.betti[1] << ' ' << label.betti[2];
-    }
-    os << '\n';
-  }
-  os.flags(flags);
-  os.precision(precision);
-  return os;
 }
 } // namespace mmm
