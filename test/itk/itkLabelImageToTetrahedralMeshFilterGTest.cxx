@@ -154,17 +154,25 @@ TEST(LabelImageToTetrahedralMeshFilter, OutputsTheLabelsOfTheImage)
 template <typename TPixel>
 class LabelImageToTetrahedralMeshFilterPixels : public testing::Test
 {};
-using PixelTypes = testing::Types<unsigned char, unsigned short, short, int, unsigned int>;
+using PixelTypes = testing::Types<unsigned short, short, int, unsigned int>;
 TYPED_TEST_SUITE(LabelImageToTetrahedralMeshFilterPixels, PixelTypes);
 
-TYPED_TEST(LabelImageToTetrahedralMeshFilterPixels, GiveTheSameMesh)
+template <typename TPixel>
+auto
+PointsOfHalves()
 {
-  using TypedImage = itk::Image<TypeParam, 3>;
+  using TypedImage = itk::Image<TPixel, 3>;
   const auto filter = itk::LabelImageToTetrahedralMeshFilter<TypedImage>::New();
   filter->SetInput(mmmtest::MakeHalves<TypedImage>(20, 6.0));
   filter->Update();
-  static const auto expected = mmmtest::PointsOf(filter->GetOutput());
-  EXPECT_EQ(mmmtest::PointsOf(filter->GetOutput()), expected);
+  return mmmtest::PointsOf(filter->GetOutput());
+}
+
+TYPED_TEST(LabelImageToTetrahedralMeshFilterPixels, GiveTheMeshOfBytes)
+{
+  const auto ofBytes = PointsOfHalves<unsigned char>();
+  ASSERT_FALSE(ofBytes.empty());
+  EXPECT_EQ(PointsOfHalves<TypeParam>(), ofBytes);
 }
 
 TEST(LabelImageToTetrahedralMeshFilter, NegativeLabelsAreLabels)
