@@ -78,24 +78,12 @@ public:
   void
   Visit(const Vector & centre, double radius, TVisitor && visit) const
   {
-    int low[3];
-    int high[3];
-    for (int a = 0; a < 3; ++a)
-    {
-      low[a] = this->Coordinate(centre[a] - radius, a);
-      high[a] = this->Coordinate(centre[a] + radius, a);
-    }
-    for (int k = low[2]; k <= high[2]; ++k)
-    {
-      for (int j = low[1]; j <= high[1]; ++j)
+    this->VisitRows(centre, radius, [&](std::size_t first, std::size_t last) {
+      for (auto p = m_Start[first]; p < m_Start[last + 1]; ++p)
       {
-        const std::size_t row = (std::size_t(k) * m_Bins[1] + j) * m_Bins[0];
-        for (auto p = m_Start[row + low[0]]; p < m_Start[row + high[0] + 1]; ++p)
-        {
-          visit(m_Points[p]);
-        }
+        visit(m_Points[p]);
       }
-    }
+    });
   }
 
   /** Calls visit(bin) for every bin that a ball touches. */
@@ -103,23 +91,12 @@ public:
   void
   VisitBins(const Vector & centre, double radius, TVisitor && visit) const
   {
-    int low[3];
-    int high[3];
-    for (int a = 0; a < 3; ++a)
-    {
-      low[a] = this->Coordinate(centre[a] - radius, a);
-      high[a] = this->Coordinate(centre[a] + radius, a);
-    }
-    for (int k = low[2]; k <= high[2]; ++k)
-    {
-      for (int j = low[1]; j <= high[1]; ++j)
+    this->VisitRows(centre, radius, [&](std::size_t first, std::size_t last) {
+      for (std::size_t bin = first; bin <= last; ++bin)
       {
-        for (int i = low[0]; i <= high[0]; ++i)
-        {
-          visit((std::size_t(k) * m_Bins[1] + j) * m_Bins[0] + i);
-        }
+        visit(bin);
       }
-    }
+    });
   }
 
   std::size_t
@@ -135,6 +112,27 @@ public:
   }
 
 private:
+  /** Calls visit(first, last) for each row of bins along x that a ball touches. */
+  template <typename TVisitor>
+  void
+  VisitRows(const Vector & centre, double radius, TVisitor && visit) const
+  {
+    int low[3];
+    int high[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      low[a] = this->Coordinate(centre[a] - radius, a);
+      high[a] = this->Coordinate(centre[a] + radius, a);
+    }
+    for (int k = low[2]; k <= high[2]; ++k)
+    {
+      for (int j = low[1]; j <= high[1]; ++j)
+      {
+        const std::size_t row = (std::size_t(k) * m_Bins[1] + j) * m_Bins[0];
+        visit(row + low[0], row + high[0]);
+      }
+    }
+  }
   int
   Coordinate(double x, int axis) const
   {

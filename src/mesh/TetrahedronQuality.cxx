@@ -73,18 +73,4 @@ TetrahedronRadiusRatioGradient(const Vector & a, const Vector & b, const Vector 
   return 6.0 * sixVolume * sixVolume / (areas * distance) *
          (2.0 / sixVolume * ofVolume - ofAreas / areas - ofDistance / (distance * distance));
 }
-
-double
-MinimumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
-{
-  const auto angles = DihedralAngles(a, b, c, d);
-  return *std::min_element(angles.begin(), angles.end());
-}
-
-double
-MaximumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
-{
-  const auto angles = DihedralAngles(a, b, c, d);
-  return *std::max_element(angles.begin(), angles.end());
-}
 } // namespace mmm

@@ -25,7 +25,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace mmm
 {
@@ -42,10 +41,9 @@ constexpr int TetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
 /** \brief What decides whether a tetrahedron is acceptable, got without trigonometric functions.
  *
  * Cosines fall as angles grow: the *largest* cosine belongs to the *smallest* dihedral angle. They do not depend on the
- * orientation, which is the sign of the volume. Where a face has no area they are 1 and -1. */
+ * orientation. Where a face has no area they are 1 and -1. Angles below 1e-6 degrees cannot be told from 0. */
 struct DihedralCosines
 {
-  double sixVolume{ 0.0 };
   double largest{ 1.0 };
   double smallest{ -1.0 };
 };
@@ -134,7 +132,6 @@ inline DihedralCosines
 Cosines(const TetrahedronNormals & n)
 {
   DihedralCosines result;
-  result.sixVolume = n.sixVolume;
   if (!(std::min(std::min(n.square0, n.square1), std::min(n.square2, n.square3)) > 0.0))
   {
     return result;
@@ -209,72 +206,10 @@ TetrahedronRadiusRatio(const Vector & a, const Vector & b, const Vector & c, con
 MultiMaterialMeshing_EXPORT Vector
 TetrahedronRadiusRatioGradient(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
 
-/** The sine of the dihedral angle that is closest to 0 or 180 degrees, negative for a negative tetrahedron, 0 for a
- * flat one. It is continuous where a tetrahedron turns over and exact for the flattest ones, and so the quantity to
- * maximize; lengths below 1e-19 underflow. */
-inline double
-MinimumDihedralSine(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
-{
-  const detail::TetrahedronNormals n(a, b, c, d);
-  const detail::Triple             cd = detail::Difference(d, c);
-  // sine at edge ij, between the faces opposite k and l: 6V |ij| / (|n_k| |n_l|)
-  const double s01 = detail::Dot(n.ab, n.ab) * (n.square0 * n.square1);
-  const double s02 = detail::Dot(n.ac, n.ac) * (n.square0 * n.square2);
-  const double s03 = detail::Dot(n.ad, n.ad) * (n.square0 * n.square3);
-  const double s12 = detail::Dot(n.bc, n.bc) * (n.square1 * n.square2);
-  const double s13 = detail::Dot(n.bd, n.bd) * (n.square1 * n.square3);
-  const double s23 = detail::Dot(cd, cd) * (n.square2 * n.square3);
-  const double smallest = std::min(std::min(std::min(s01, s02), std::min(s03, s12)), std::min(s13, s23));
-  // where a face has no area, smallest is 0 as well
-  const double product =
-    std::max((n.square0 * n.square1) * (n.square2 * n.square3), std::numeric_limits<double>::min());
-  return n.sixVolume * std::sqrt(smallest / product);
-}
-
-/** The volume and the extreme cosines of the six dihedral angles. A cosine cannot tell angles below 1e-6 degrees from
- * 0. */
-inline DihedralCosines
-ComputeDihedralCosines(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
-{
-  return detail::Cosines(detail::TetrahedronNormals(a, b, c, d));
-}
-
-/** Whether the orientation is positive and all six dihedral angles lie within two bounds, given as cosines: the one of
- * the smallest angle allowed is the larger. The quickest test, without a division or a root. */
-inline bool
-DihedralAnglesWithin(const Vector & a,
-                     const Vector & b,
-                     const Vector & c,
-                     const Vector & d,
-                     double         cosineOfSmallest,
-                     double         cosineOfLargest)
-{
-  const detail::TetrahedronNormals n(a, b, c, d);
-  // x |x| grows with x: it compares cosines by their squares
-  const double upper = cosineOfSmallest * std::abs(cosineOfSmallest);
-  const double lower = cosineOfLargest * std::abs(cosineOfLargest);
-  const auto   isWithin = [=](double dot, double scale) {
-    const double cosine = -dot * std::abs(dot);
-    return cosine <= upper * scale && cosine >= lower * scale;
-  };
-  return n.sixVolume > 0.0 && isWithin(detail::Dot(n.n0, n.n1), n.square0 * n.square1) &&
-         isWithin(detail::Dot(n.n0, n.n2), n.square0 * n.square2) &&
-         isWithin(detail::Dot(n.n0, n.n3), n.square0 * n.square3) &&
-         isWithin(detail::Dot(n.n1, n.n2), n.square1 * n.square2) &&
-         isWithin(detail::Dot(n.n1, n.n3), n.square1 * n.square3) &&
-         isWithin(detail::Dot(n.n2, n.n3), n.square2 * n.square3);
-}
-
 /** The six dihedral angles in degrees, at TetrahedronEdges, whatever the orientation. They are accurate down to the
  * flattest tetrahedra, where they are 0 and 180. At the edges of a face without area the angle is 0. */
 MultiMaterialMeshing_EXPORT std::array<double, 6>
                             DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
-
-MultiMaterialMeshing_EXPORT double
-MinimumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
-
-MultiMaterialMeshing_EXPORT double
-MaximumDihedralAngle(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
 } // namespace mmm
 
 #endif

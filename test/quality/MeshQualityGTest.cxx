@@ -487,10 +487,11 @@ TEST(mmmMeshQuality, StatisticsAreThoseOfTheSingleTetrahedra)
       volume += std::abs(mmm::TetrahedronVolume(a, b, c, d));
       nonPositive += mmm::TetrahedronVolume(a, b, c, d) <= 0.0;
       radiusRatios.push_back(mmm::TetrahedronRadiusRatio(a, b, c, d));
-      smallestAngles.push_back(mmm::MinimumDihedralAngle(a, b, c, d));
-      largestAngles.push_back(mmm::MaximumDihedralAngle(a, b, c, d));
+      const auto angles = mmm::DihedralAngles(a, b, c, d);
+      smallestAngles.push_back(*std::min_element(angles.begin(), angles.end()));
+      largestAngles.push_back(*std::max_element(angles.begin(), angles.end()));
       ++radiusRatioHistogram[int(radiusRatios.back() * 20.0)];
-      for (const double angle : mmm::DihedralAngles(a, b, c, d))
+      for (const double angle : angles)
       {
         ++angleHistogram[int(angle / 10.0)];
       }
