@@ -207,8 +207,10 @@ struct MeshingReport
   /** Points that TetGen added to the interior to recover the interfaces. */
   std::size_t steinerPoints{ 0 };
   /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
-  bool               recoveryFailed{ false };
-  OptimizationReport optimization;
+  bool recoveryFailed{ false };
+  /** What became worse than was asked for, in sentences; the filters give them out as warnings. */
+  std::vector<std::string> warnings;
+  OptimizationReport       optimization;
   /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
   /** Of the particles between which the surface was found, against the cells that they were put on. */

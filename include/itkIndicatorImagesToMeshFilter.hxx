@@ -269,6 +269,10 @@ try
   try
   {
     mmm::BuildMesh(indicators, sizing, parameters, monitor, result);
+    for (const auto & warning : result.report.warnings)
+    {
+      itkWarningMacro(<< warning);
+    }
     monitor.BeginStage("output");
   }
   catch (...)

@@ -112,7 +112,7 @@ private:
 };
 } // namespace
 
-bool
+std::optional<std::size_t>
 ConformingTetrahedralization(const std::vector<Vector> &   points,
                              std::size_t                   numberOfSurfacePoints,
                              const std::vector<Triangle> & triangles,
@@ -143,7 +143,7 @@ ConformingTetrahedralization(const std::vector<Vector> &   points,
           corner = used[corner];
         }
       }
-      return true;
+      return points.size() - used.size();
     }
     // the points of the surface stay in front, and keep their numbers
     const PointsByX   others(points, std::vector<PointId>(used.begin() + numberOfSurfacePoints, used.end()));
@@ -157,6 +157,6 @@ ConformingTetrahedralization(const std::vector<Vector> &   points,
     }
     used.erase(std::remove_if(used.begin(), used.end(), [&](PointId p) { return inTheWay[p] != 0; }), used.end());
   }
-  return false;
+  return std::nullopt;
 }
 } // namespace mmm

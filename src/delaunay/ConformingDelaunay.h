@@ -21,6 +21,8 @@
 #include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedralMesh.h"
 
+#include <optional>
+
 namespace mmm
 {
 /** \brief Delaunay tetrahedra that have given triangles among their faces, for where the recovery of the triangles
@@ -28,12 +30,12 @@ namespace mmm
  *
  * The triangles come from the Delaunay tetrahedralization of the first `numberOfSurfacePoints` points. In that of all
  * points most of them are still there; where one is not, points in its way are left out, in the end all others. Points
- * keep their numbers, also those that no tetrahedron uses. Returns false if some triangles are missing even so. */
-MultiMaterialMeshing_EXPORT bool
-ConformingTetrahedralization(const std::vector<Vector> &   points,
-                             std::size_t                   numberOfSurfacePoints,
-                             const std::vector<Triangle> & triangles,
-                             std::vector<Tetrahedron> &    tetrahedra);
+ * keep their numbers. Returns how many were left out; nothing if some triangles are missing even so. */
+MultiMaterialMeshing_EXPORT std::optional<std::size_t>
+                            ConformingTetrahedralization(const std::vector<Vector> &   points,
+                                                         std::size_t                   numberOfSurfacePoints,
+                                                         const std::vector<Triangle> & triangles,
+                                                         std::vector<Tetrahedron> &    tetrahedra);
 } // namespace mmm
 
 #endif

@@ -32,6 +32,7 @@
 #include "itkMacro.h"
 
 #include <algorithm>
+#include <string>
 
 namespace mmm
 {
@@ -126,10 +127,16 @@ Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
   catch (const TetGenFailure &)
   {
     result.report.recoveryFailed = true;
-    if (!ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra))
+    const auto leftOut =
+      ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra);
+    if (!leftOut)
     {
       throw;
     }
+    result.report.warnings.push_back(
+      "TetGen could not recover the interfaces with all points around them: " + std::to_string(*leftOut) +
+      " points of the interior beside them were left out, and elements there are larger "
+      "than was asked for.");
   }
 }
 
@@ -245,6 +252,8 @@ BuildMesh(const IndicatorSet &      indicators,
       throw;
     }
     // the surface stands without being improved
+    result.report.warnings.push_back("TetGen could not recover the interfaces, so the surface was not improved: its "
+                                     "triangles are as they were sampled.");
     result.points.resize(result.numberOfSurfacePoints);
     DescribeSurface(indicators, wantedSizing, exterior, result);
     return;
