@@ -18,40 +18,23 @@
 #include "optimize/ComplexDefects.h"
 
 #include "mesh/MeshTopology.h"
-#include "mesh/TetrahedronQuality.h"
-#include "mesh/TriangleLookup.h"
+#include "mesh/TetrahedronNeighbours.h"
 
 #include <algorithm>
 
 namespace mmm
 {
-namespace
-{
-using Id = TetrahedralComplex::Id;
-
-bool
-IsShared(const TetrahedralComplex & complex, Id t, int face)
-{
-  const Id other = complex.Neighbour(t, face);
-  if (other == NoTetrahedron)
-  {
-    return true;
-  }
-  for (int f = 0; f < 4 && complex.IsAlive(other); ++f)
-  {
-    if (complex.Neighbour(other, f) == t &&
-        SortedFaceOf(complex.Corners(other), f) == SortedFaceOf(complex.Corners(t), face))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-} // namespace
-
 ComplexDefects
 FindDefects(const TetrahedralComplex & complex, const std::vector<Vector> & points)
 {
+  using Id = TetrahedralComplex::Id;
+  const auto      mesh = complex.GetMesh();
+  const auto      neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra);
+  std::vector<Id> number(complex.Size(), NoTetrahedron);
+  for (Id t = 0, count = 0; t < complex.Size(); ++t)
+  {
+    number[t] = complex.IsAlive(t) ? count++ : NoTetrahedron;
+  }
   ComplexDefects defects;
   for (Id t = 0; t < complex.Size(); ++t)
   {
@@ -63,10 +46,10 @@ FindDefects(const TetrahedralComplex & complex, const std::vector<Vector> & poin
     defects.notPositive += !(TetrahedronVolume(points[c[0]], points[c[1]], points[c[2]], points[c[3]]) > 0.0);
     for (int f = 0; f < 4; ++f)
     {
-      defects.notShared += !IsShared(complex, t, f);
+      const Id other = complex.Neighbour(t, f);
+      defects.notNeighbours += (other == NoTetrahedron ? other : number[other]) != neighbours[number[t]][f];
     }
   }
-  const auto mesh = complex.GetMesh();
   const auto last = std::max_element(mesh.materials.begin(), mesh.materials.end());
   const auto topology = ComputeMeshTopology(points, mesh, last == mesh.materials.end() ? 0 : *last);
   for (const auto & region : topology.regions)

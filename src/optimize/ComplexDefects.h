@@ -18,6 +18,7 @@
 #ifndef mmmComplexDefects_h
 #define mmmComplexDefects_h
 
+#include "MultiMaterialMeshingExport.h"
 #include "optimize/TetrahedralComplex.h"
 
 #include <cassert>
@@ -31,8 +32,8 @@ struct ComplexDefects
 {
   /** Tetrahedra whose volume is not positive. */
   std::size_t notPositive{ 0 };
-  /** Faces whose two tetrahedra do not know each other by the same three points. */
-  std::size_t notShared{ 0 };
+  /** Faces across which a tetrahedron has another neighbour than the one that has the same three points. */
+  std::size_t notNeighbours{ 0 };
   /** Edges at which the boundary of a material is open. */
   std::size_t open{ 0 };
 
@@ -40,11 +41,11 @@ struct ComplexDefects
   bool
   AreWithin(const ComplexDefects & before) const
   {
-    return notPositive <= before.notPositive && notShared <= before.notShared && open <= before.open;
+    return notPositive <= before.notPositive && notNeighbours <= before.notNeighbours && open <= before.open;
   }
 };
 
-ComplexDefects
+MultiMaterialMeshing_EXPORT ComplexDefects
 FindDefects(const TetrahedralComplex & complex, const std::vector<Vector> & points);
 
 /** \brief In Debug builds, ends the program where a phase has added defects. */
