@@ -33,7 +33,8 @@ namespace mmm
 class PointBins
 {
 public:
-  PointBins(const Grid & grid, double edge)
+  /** `edge` is that of a bin, in units of the smallest voxel spacing. */
+  explicit PointBins(const Grid & grid, double edge = 2.0)
     : m_Edge(edge)
   {
     double volume = 1.0;

@@ -17,21 +17,15 @@
  *=========================================================================*/
 #include "indicators/CriticalPoint.h"
 
+#include "base/Shortened.h"
+
 #include <cmath>
 
 namespace mmm
 {
 namespace
 {
-/** Away from others, the difference of two signed distances has a gradient of 2. */
-constexpr double SteepStart = 1.6;
-constexpr double Converged = 0.02;
-constexpr double Tolerated = 0.1;
-/** In voxels, along each axis, as are the steps: a curvature below this is none. */
-constexpr double LeastBend = 0.1;
-constexpr double LongestStep = 0.25;
-constexpr double DifferenceStep = 0.05;
-constexpr int    MaximumSteps = 6;
+using Parameters = CriticalPointParameters;
 
 /** How much one material leads another one, as a function of places in voxels. */
 class Lead
@@ -69,9 +63,9 @@ public:
     Eigen::Matrix3d hessian;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const Vector step = DifferenceStep * Vector::Unit(axis);
+      const Vector step = Parameters::DifferenceStep * Vector::Unit(axis);
       hessian.col(axis) =
-        (this->GradientInVoxels(at + step) - this->GradientInVoxels(at - step)) / (2.0 * DifferenceStep);
+        (this->GradientInVoxels(at + step) - this->GradientInVoxels(at - step)) / (2.0 * Parameters::DifferenceStep);
     }
     return 0.5 * (hessian + hessian.transpose());
   }
@@ -91,14 +85,13 @@ NewtonStep(const Vector & gradient, const Eigen::Matrix3d & hessian)
   for (int n = 0; n < 3; ++n)
   {
     const double bend = solver.eigenvalues()[n];
-    if (std::abs(bend) > LeastBend)
+    if (std::abs(bend) > Parameters::LeastBend)
     {
       const Vector axis = solver.eigenvectors().col(n);
       step -= axis.dot(gradient) / bend * axis;
     }
   }
-  const double length = step.norm();
-  return length > LongestStep ? Vector(step * (LongestStep / length)) : step;
+  return Shortened(step, Parameters::LongestNewtonStep);
 }
 
 /** Beyond the nodes at the border indicators are constant across it. */
@@ -117,11 +110,11 @@ FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, doubl
   const Vector start = x.cwiseQuotient(grid.spacing);
   Vector       at = start;
   Vector       gradient = lead.GradientInVoxels(at);
-  if (!IsBetweenNodes(grid, at) || lead.Steepness(gradient) > SteepStart)
+  if (!IsBetweenNodes(grid, at) || lead.Steepness(gradient) > Parameters::SteepStart)
   {
     return false;
   }
-  for (int n = 0; n < MaximumSteps && lead.Steepness(gradient) > Converged; ++n)
+  for (int n = 0; n < Parameters::NewtonSteps && lead.Steepness(gradient) > Parameters::Converged; ++n)
   {
     at += NewtonStep(gradient, lead.HessianInVoxels(at));
     if ((at - start).cwiseAbs().maxCoeff() > reach || !IsBetweenNodes(grid, at))
@@ -131,6 +124,6 @@ FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, doubl
     gradient = lead.GradientInVoxels(at);
   }
   x = at.cwiseProduct(grid.spacing);
-  return lead.Steepness(gradient) < Tolerated;
+  return lead.Steepness(gradient) < Parameters::Tolerated;
 }
 } // namespace mmm

@@ -31,14 +31,7 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 65536;
-/** Probabilities that were interpolated go beyond [0, 1] by less than this. */
-constexpr float Overshoot = 0.25f;
-/** Nodes beyond the image border on which the border's values are continued. */
-constexpr int BorderContinuation = 2;
-/** The least lead, so that no voxel's centre is on an interface. */
-constexpr float LeastLead = 1e-6f;
-/** The least distance of a voxel's centre to an interface, per voxel. */
-constexpr double ShortestWay = 1e-3;
+using Parameters = FunctionParameters;
 } // namespace
 
 std::vector<float>
@@ -56,13 +49,13 @@ ComputeRemainder(const std::vector<const float *> & maps, std::size_t numberOfVo
       lowest = std::min(lowest, map[v]);
     }
   }
-  if (lowest < -Overshoot)
+  if (lowest < -Parameters::Overshoot)
   {
     std::transform(largest.begin(), largest.end(), largest.begin(), [](float value) { return -value; });
     return largest;
   }
   const float highest = *std::max_element(largest.begin(), largest.end());
-  if (highest > 1.0f + Overshoot)
+  if (highest > 1.0f + Parameters::Overshoot)
   {
     itkGenericExceptionMacro("The values of the indicator images range from "
                              << lowest << " to " << highest
@@ -113,7 +106,7 @@ FunctionIndicators::Value(Material material, std::size_t voxel) const
 float
 FunctionIndicators::Lead(std::size_t voxel, Material other) const
 {
-  return std::max(m_Largest[voxel] - std::min(this->Value(other, voxel), m_Second[voxel]), LeastLead);
+  return std::max(m_Largest[voxel] - std::min(this->Value(other, voxel), m_Second[voxel]), Parameters::LeastLead);
 }
 
 float
@@ -148,7 +141,7 @@ FunctionIndicators::DistanceToNeighbours(Material material, const Index & at) co
       if ((own == material) != (other == material))
       {
         const double lead = this->Lead(voxel, other);
-        nearest = std::min(nearest, std::max(ShortestWay, lead / (lead + this->Lead(neighbour, own))));
+        nearest = std::min(nearest, std::max(Parameters::ShortestWay, lead / (lead + this->Lead(neighbour, own))));
       }
     }
     if (nearest <= 1.0)
@@ -161,7 +154,8 @@ FunctionIndicators::DistanceToNeighbours(Material material, const Index & at) co
     return 0.0f;
   }
   const float distance = float(1.0 / std::sqrt(inverseSquares));
-  return distance < ThinCentreMargin && isAtThinPart() ? ThinCentreMargin : distance;
+  return distance < SmoothingParameters::ThinCentreMargin && isAtThinPart() ? SmoothingParameters::ThinCentreMargin
+                                                                            : distance;
 }
 
 std::size_t
@@ -179,8 +173,8 @@ FunctionIndicators::Compute(Material material, const MaterialBox & box) const
   Index        size;
   for (int a = 0; a < 3; ++a)
   {
-    lower[a] = covered.lower[a] - BorderContinuation;
-    size[a] = covered.size[a] + 2 * BorderContinuation;
+    lower[a] = covered.lower[a] - Parameters::BorderContinuation;
+    size[a] = covered.size[a] + 2 * Parameters::BorderContinuation;
   }
   LevelSet levelSet(lower, size, grid.spacing, IndicatorBandWidth);
   ComputeBoxDistance(m_Image, material, levelSet);

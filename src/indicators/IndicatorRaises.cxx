@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "indicators/IndicatorRaises.h"
 
+#include "indicators/BlockValue.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,9 +26,6 @@ namespace mmm
 {
 namespace
 {
-/** By how much a node's material leads at least. */
-constexpr float NodeLead = 0.3f;
-
 /** Keeps the largest gain and the largest loss of each material at a node. */
 void
 KeepLargest(std::vector<Raise> & raises)
@@ -43,22 +42,6 @@ KeepLargest(std::vector<Raise> & raises)
   raises.erase(std::unique(raises.begin(), raises.end(), isSame), raises.end());
 }
 
-/** Null where a node is beyond a block. */
-float *
-ValueAt(Block<float> & block, const Index & node)
-{
-  Index at;
-  for (int a = 0; a < 3; ++a)
-  {
-    at[a] = node[a] - block.lower[a];
-    if (at[a] < 0 || at[a] >= block.size[a])
-    {
-      return nullptr;
-    }
-  }
-  return &block.values[(std::size_t(at[2]) * block.size[1] + at[1]) * block.size[0] + at[0]];
-}
-
 /** By how much a node's material leads another one or, if that is the same, everybody. */
 float
 LeadAtNode(const IndicatorSet &        indicators,
@@ -71,10 +54,10 @@ LeadAtNode(const IndicatorSet &        indicators,
   float      largest = -1e30f;
   for (auto m = range.first; m != range.second; ++m)
   {
-    const float * value = *m != own && (*m == other || other == own) ? ValueAt(blocks[*m], node) : nullptr;
+    const float * value = *m != own && (*m == other || other == own) ? FindValue(blocks[*m], node) : nullptr;
     largest = value ? std::max(largest, *value) : largest;
   }
-  return *ValueAt(blocks[own], node) - largest;
+  return *FindValue(blocks[own], node) - largest;
 }
 
 /** Whether a node or one of its 26 neighbours is of a material. */
@@ -98,7 +81,7 @@ ApplyRaises(const IndicatorSet & indicators, std::vector<Raise> & raises, std::v
   {
     const Index    node = indicators.GetGrid().IndexAt(raise.node);
     const Material own = indicators.MaterialAtNode(raise.node);
-    float * const  value = ValueAt(blocks[raise.material], node);
+    float * const  value = FindValue(blocks[raise.material], node);
     // further away, a material could get to others that none of its voxels touches
     if (value == nullptr || (!raise.IsLoss() && !IsNear(indicators, raise.material, node)))
     {
@@ -107,7 +90,8 @@ ApplyRaises(const IndicatorSet & indicators, std::vector<Raise> & raises, std::v
     float amount = raise.amount;
     if ((own == raise.material) == raise.IsLoss())
     {
-      const float spare = std::max(0.0f, LeadAtNode(indicators, blocks, own, raise.material, node) - NodeLead);
+      const float spare =
+        std::max(0.0f, LeadAtNode(indicators, blocks, own, raise.material, node) - PassageParameters::NodeLead);
       amount = std::min(std::max(amount, -spare), spare);
     }
     *value += amount;

@@ -19,10 +19,12 @@
 #define mmmIndicatorSet_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "indicators/BoxPlanes.h"
+#include "indicators/CandidateMaterials.h"
 #include "indicators/Cell.h"
-#include "base/Grid.h"
 #include "indicators/IndicatorBricks.h"
-#include "image/MaterialImage.h"
+#include "indicators/IndicatorParameters.h"
+#include "indicators/TricubicStencil.h"
 
 namespace mmm
 {
@@ -31,14 +33,11 @@ namespace mmm
  * Between grid nodes the values are interpolated by tricubic (Catmull-Rom) convolution, so that gradients are
  * continuous; beyond the border they are continued constantly. Beyond its block a material has the value `outside`.
  *
- * The six faces of the image box are *planes*, pseudo-materials N to N + 5 (two an axis, the lower one first), which
- * own all that is outside the box. They cut the materials sharply: they are never compared with an f_i. */
+ * The six faces of the image box are planes, see BoxPlanes: pseudo-materials which own all that is outside the box.
+ * They cut the materials sharply: they are never compared with an f_i. */
 class MultiMaterialMeshing_EXPORT IndicatorSet
 {
 public:
-  /** By how much another material may be larger where a cell still counts as maximal. */
-  static constexpr double MaximalityTolerance = 1e-2;
-
   /** One indicator a material; `outside` is what they are beyond their bricks. */
   IndicatorSet(const Grid & grid, std::vector<IndicatorBricks> indicators, double outside);
 
@@ -55,7 +54,12 @@ public:
   bool
   IsPlane(Material m) const
   {
-    return m >= m_Indicators.size();
+    return m_Planes.Has(m);
+  }
+  const BoxPlanes &
+  Planes() const
+  {
+    return m_Planes;
   }
 
   /** f_m at a point. */
@@ -67,9 +71,6 @@ public:
   /** Value(first, x) - Value(last, x), for less. */
   double
   Difference(Material first, Material last, const Vector & x) const;
-  /** The signed distance to a plane, positive outside the box. */
-  double
-  PlaneValue(Material plane, const Vector & x) const;
 
   /** f_m at a grid node. */
   double
@@ -85,12 +86,12 @@ public:
   Material
   MaterialAtNode(std::size_t offset) const
   {
-    return m_NodeMaterials[offset];
+    return this->NodeMaterials()[offset];
   }
   const std::vector<Material> &
   NodeMaterials() const
   {
-    return m_NodeMaterials;
+    return m_Candidates.NodeMaterials();
   }
 
   /** The inside/outside function g_m = f_m - max over j != m of f_j (equation 1). */
@@ -107,7 +108,10 @@ public:
 
   /** Project(), and whether the cell's materials are the largest there, see IsMaximal(). */
   bool
-  ProjectWhereMaximal(const Cell & cell, Vector & x, double reach, double tolerance = MaximalityTolerance) const
+  ProjectWhereMaximal(const Cell & cell,
+                      Vector &     x,
+                      double       reach,
+                      double       tolerance = ProjectionParameters::MaximalityTolerance) const
   {
     return this->Project(cell, x, reach) && this->IsMaximal(cell, x, tolerance);
   }
@@ -120,7 +124,7 @@ public:
   /** Whether the cell's materials are the largest at x, which lies on the cell: nobody else is larger by more than
    * `tolerance`, and x is in the box. */
   bool
-  IsMaximal(const Cell & cell, const Vector & x, double tolerance) const;
+  IsMaximal(const Cell & cell, const Vector & x, double tolerance = ProjectionParameters::MaximalityTolerance) const;
 
   /** The unit normal of a 2-cell, from its lower to its higher material. */
   Vector
@@ -131,42 +135,32 @@ public:
 
   /** The materials that may be the largest one at x, as a range [first, last). */
   std::pair<const Material *, const Material *>
-  Candidates(const Vector & x) const;
+  Candidates(const Vector & x) const
+  {
+    return m_Candidates.At(x);
+  }
 
 private:
-  struct Stencil;
-  Stencil
-  StencilAt(const Vector & x) const;
-  /** Calls body(k, j, row) with the four values of each of the stencil's sixteen rows. */
-  template <typename TBody>
-  void
-  ForEachRow(Material m, const Stencil & stencil, const TBody & body) const;
+  /** The functions that vanish on a cell, at most three, and their gradients at a point. */
+  struct Residuals;
+
   double
-  Evaluate(Material m, const Stencil & stencil) const;
-  double
-  Evaluate(Material m, const Stencil & stencil, Vector & gradient) const;
-  int
-  Residuals(const Cell & cell, const Vector & x, double * values, Vector * gradients) const;
+  Evaluate(Material m, const TricubicStencil & stencil) const
+  {
+    return stencil.Value(m_Indicators[m], m_Outside);
+  }
+  Residuals
+  ResidualsAt(const Cell & cell, const Vector & x) const;
   bool
   GaussNewtonStep(const Cell & cell, const Vector & x, Vector & step, Vector & direction) const;
-  /** Particles of a cut are to be exactly coplanar. */
   void
   SnapToPlanes(const Cell & cell, Vector & x) const;
-  void
-  ListCandidates();
-
-  /** The same, for the nodes and bricks of one layer of bricks. */
-  struct CandidateLayer;
-  void
-  ListCandidates(int layer, CandidateLayer & list);
 
   Grid                         m_Grid;
   std::vector<IndicatorBricks> m_Indicators;
   double                       m_Outside;
-  std::vector<Material>        m_NodeMaterials;
-  Index                        m_Bricks{ { 0, 0, 0 } };
-  std::vector<std::uint32_t>   m_BrickStart;
-  std::vector<Material>        m_BrickMaterials;
+  BoxPlanes                    m_Planes;
+  CandidateMaterials           m_Candidates;
 };
 } // namespace mmm
 

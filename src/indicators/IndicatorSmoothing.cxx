@@ -19,27 +19,18 @@
 
 #include "indicators/BoxDistance.h"
 #include "indicators/LevelSet.h"
+#include "base/IndexBox.h"
 #include "base/Parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mmm
 {
 namespace
 {
-/** Labels are continued this many nodes beyond the image border, so that the flow meets it at right angles. */
-constexpr int BorderContinuation = 3;
-/** Opening and closing are known to this accuracy: a smooth boundary is not pressed against its own opening. */
-constexpr float MortarSlack = 0.05f;
-/** The boundary moves less than a voxel: nodes further away need not be solved for. */
-constexpr double FlowBandWidth = 2.0;
-/** The flows end when the boundary moves less than this per unit of time, root mean square. */
-constexpr double AntiAliasTolerance = 0.01;
-constexpr double TighteningTolerance = 0.005;
-/** No flow that was seen needs as many. */
-constexpr int AntiAliasSteps = 200;
-constexpr int TighteningSteps = 100;
+using Parameters = SmoothingParameters;
 
 /** How many nodes the band reaches beyond a material's box along an axis. */
 int
@@ -64,7 +55,7 @@ BandValues(const LevelSet & levelSet)
 std::vector<float>
 CentreMargins(const MaterialImage & image, const LevelSet & levelSet)
 {
-  std::vector<float> margins(levelSet.Band().size(), CentreMargin);
+  std::vector<float> margins(levelSet.Band().size(), Parameters::CentreMargin);
   ParallelFor(margins.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t b = begin; b < end; ++b)
     {
@@ -91,7 +82,7 @@ AntiAlias(LevelSet & levelSet, const std::vector<float> & margins)
     lower[b] = inside ? margins[b] : -width;
     upper[b] = inside ? width : -margins[b];
   }
-  levelSet.FlowByMeanCurvature(lower, upper, AntiAliasTolerance, AntiAliasSteps);
+  levelSet.FlowByMeanCurvature(lower, upper, Parameters::AntiAliasTolerance, Parameters::AntiAliasSteps);
 }
 
 /** The set moved outwards by `offset` (inwards where negative) and back: closing, or opening, per node of the band. */
@@ -120,8 +111,8 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
   const float              yield = float(std::max(0.0, radius - 0.5));
   for (std::size_t b = 0; b < opening.size(); ++b)
   {
-    opening[b] = std::min(opening[b] - MortarSlack, start[b]);
-    closing[b] = std::max(closing[b] + MortarSlack, start[b]);
+    opening[b] = std::min(opening[b] - Parameters::MortarSlack, start[b]);
+    closing[b] = std::max(closing[b] + Parameters::MortarSlack, start[b]);
     if (start[b] > 0.0f)
     {
       opening[b] = std::max(opening[b], std::min(start[b], margins[b] - yield));
@@ -131,7 +122,7 @@ Tighten(LevelSet & levelSet, const std::vector<float> & margins, double radius)
       closing[b] = std::min(closing[b], std::max(start[b], yield - margins[b]));
     }
   }
-  levelSet.FlowByMeanCurvature(opening, closing, TighteningTolerance, TighteningSteps);
+  levelSet.FlowByMeanCurvature(opening, closing, Parameters::TighteningTolerance, Parameters::TighteningSteps);
 }
 } // namespace
 
@@ -160,7 +151,7 @@ CentreMarginOf(const MaterialImage & image, const Index & at)
 {
   if (!IsThin(image, at))
   {
-    return CentreMargin;
+    return Parameters::CentreMargin;
   }
   int likewise = 0;
   for (int a = 0; a < 3; ++a)
@@ -172,7 +163,7 @@ CentreMarginOf(const MaterialImage & image, const Index & at)
       likewise += image.AtNearest(beside) == image.AtNearest(at);
     }
   }
-  return likewise > 1 ? ThinCentreMargin : TipCentreMargin;
+  return likewise > 1 ? Parameters::ThinCentreMargin : Parameters::TipCentreMargin;
 }
 
 std::vector<MaterialBox>
@@ -180,32 +171,20 @@ ComputeMaterialBoxes(const MaterialImage & image)
 {
   std::vector<Index> lower(image.numberOfMaterials, image.grid.size);
   std::vector<Index> upper(image.numberOfMaterials, Index{ { -1, -1, -1 } });
-  std::size_t        n = 0;
-  for (int k = 0; k < image.grid.size[2]; ++k)
-  {
-    for (int j = 0; j < image.grid.size[1]; ++j)
+  IndexBox::Of(image.grid.size).Visit([&](const Index & at) {
+    const Material m = image.materials[image.grid.Offset(at)];
+    for (int a = 0; a < 3; ++a)
     {
-      for (int i = 0; i < image.grid.size[0]; ++i, ++n)
-      {
-        const Index at{ { i, j, k } };
-        Index &     low = lower[image.materials[n]];
-        Index &     high = upper[image.materials[n]];
-        for (int a = 0; a < 3; ++a)
-        {
-          low[a] = std::min(low[a], at[a]);
-          high[a] = std::max(high[a], at[a]);
-        }
-      }
+      lower[m][a] = std::min(lower[m][a], at[a]);
+      upper[m][a] = std::max(upper[m][a], at[a]);
     }
-  }
+  });
   std::vector<MaterialBox> boxes(image.numberOfMaterials);
   for (std::size_t m = 0; m < boxes.size(); ++m)
   {
     if (upper[m][0] >= 0)
     {
-      boxes[m].lower = lower[m];
-      boxes[m].size =
-        Index{ { upper[m][0] - lower[m][0] + 1, upper[m][1] - lower[m][1] + 1, upper[m][2] - lower[m][2] + 1 } };
+      boxes[m] = { lower[m], IndexBox{ lower[m], upper[m] }.Size() };
     }
   }
   return boxes;
@@ -233,8 +212,8 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   for (int a = 0; a < 3; ++a)
   {
     const int band = BandNodes(grid, a);
-    const int low = std::max(box.lower[a] - band, -BorderContinuation);
-    const int high = std::min(box.lower[a] + box.size[a] + band, grid.size[a] + BorderContinuation);
+    const int low = std::max(box.lower[a] - band, -Parameters::BorderContinuation);
+    const int high = std::min(box.lower[a] + box.size[a] + band, grid.size[a] + Parameters::BorderContinuation);
     lower[a] = low;
     size[a] = high - low;
   }
@@ -243,7 +222,7 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
   ComputeBoxDistance(image, material, levelSet);
   if (radius > 0.0)
   {
-    const double flowBand = FlowBandWidth + std::max(0.0, radius - 0.5);
+    const double flowBand = Parameters::FlowBandWidth + std::max(0.0, radius - 0.5);
     levelSet.SelectBand(flowBand);
     const auto margins = CentreMargins(image, levelSet);
     AntiAlias(levelSet, margins);
@@ -255,5 +234,17 @@ ComputeSmoothIndicator(const MaterialImage & image, Material material, const Mat
 
   const auto covered = ComputeIndicatorBox(grid, box);
   return levelSet.Copy(covered.lower, covered.size);
+}
+
+IndicatorSet
+MakeIndicatorSet(const Grid & grid, const std::vector<Block<float>> & blocks)
+{
+  std::vector<IndicatorBricks> indicators;
+  for (const auto & block : blocks)
+  {
+    const BlockView<const float> view{ block.lower, block.size, block.values.data() };
+    indicators.emplace_back(grid, view, -float(IndicatorBandWidth));
+  }
+  return IndicatorSet(grid, std::move(indicators), -IndicatorBandWidth);
 }
 } // namespace mmm

@@ -19,25 +19,11 @@
 #define mmmIndicatorSmoothing_h
 
 #include "MultiMaterialMeshingExport.h"
-#include "base/Grid.h"
 #include "image/MaterialImage.h"
+#include "indicators/IndicatorSet.h"
 
 namespace mmm
 {
-/** Indicators are known up to this distance from their zero level, in units of the smallest voxel spacing. */
-constexpr double IndicatorBandWidth = 3.0;
-
-/** Every voxel centre stays at least this far on its own side, so that no surface passes through it. A radius of more
- * than half a voxel lets it yield: by how much the radius is larger. */
-constexpr float CentreMargin = 0.1f;
-
-/** Interfaces of parts of one voxel's thickness stay this far from the voxels' centres: what is thinner cannot be
- * meshed everywhere. */
-constexpr float ThinCentreMargin = 0.2f;
-
-/** Where a part ends in a single voxel, or is one: triangles cut such tips off by as much as half a voxel. */
-constexpr float TipCentreMargin = 0.35f;
-
 /** Whether a voxel belongs to no 2 x 2 x 2 block of its material. Labels are continued beyond the border. */
 MultiMaterialMeshing_EXPORT bool
 IsThin(const MaterialImage & image, const Index & at);
@@ -74,6 +60,10 @@ ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
  * band around it, as far as the image goes; beyond the block the material's value is -IndicatorBandWidth. */
 MultiMaterialMeshing_EXPORT Block<float>
 ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius);
+
+/** Of such blocks, one a material. */
+MultiMaterialMeshing_EXPORT IndicatorSet
+MakeIndicatorSet(const Grid & grid, const std::vector<Block<float>> & blocks);
 } // namespace mmm
 
 #endif

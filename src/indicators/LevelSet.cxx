@@ -18,6 +18,7 @@
 #include "indicators/LevelSet.h"
 
 #include "base/Parallel.h"
+#include "indicators/IndicatorParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,13 +27,7 @@ namespace mmm
 {
 namespace
 {
-constexpr int AveragingRounds = 8;
-constexpr int StepsPerMean = 6;
-/** How much of a step's movement is taken over into the next one. */
-constexpr float Momentum = 0.5f;
-
-/** Nodes this close to the zero level tell whether it rests. */
-constexpr float NearDistance = 0.75f;
+using Parameters = SmoothingParameters;
 
 /** How much the nodes near the zero level moved in a step. */
 struct Motion
@@ -282,7 +277,7 @@ LevelSet::MeanOverBand(const std::vector<float> & speed, Scratch & scratch) cons
       weight[node + i] = std::max(0.0f, 1.5f - std::abs(m_Values[node + i]));
     }
   });
-  for (int round = 0; round < AveragingRounds; ++round)
+  for (int round = 0; round < Parameters::AveragingRounds; ++round)
   {
     this->ForEachRun([&](std::size_t place, std::size_t node, std::size_t length, std::size_t) {
       for (std::size_t i = 0; i < length; ++i)
@@ -325,7 +320,7 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
   std::vector<float>   change(count, 0.0f);
   Scratch              scratch;
   std::vector<Motion>  motions((m_Runs.size() + RunGrain - 1) / RunGrain);
-  const double         longest = tolerance * timeStep / (1.0 - Momentum);
+  const double         longest = tolerance * timeStep / (1.0 - Parameters::Momentum);
 
   int step = 0;
   while (step < maximumSteps)
@@ -349,7 +344,7 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
                (squaredNorm + 1e-4f);
       },
       speed);
-    if (step % StepsPerMean == 0)
+    if (step % Parameters::StepsPerMean == 0)
     {
       this->MeanOverBand(speed, scratch);
     }
@@ -361,10 +356,10 @@ LevelSet::FlowByMeanCurvature(const std::vector<float> & lower,
       {
         const std::size_t b = place + i;
         const float       v = m_Values[node + i];
-        const float       moved = v + timeStep * (speed[b] - scratch.bandMean[b]) + Momentum * change[b];
+        const float       moved = v + timeStep * (speed[b] - scratch.bandMean[b]) + Parameters::Momentum * change[b];
         const float       next = std::min(upper[b], std::max(lower[b], moved));
         change[b] = next - v;
-        const bool near = std::abs(v) < NearDistance;
+        const bool near = std::abs(v) < Parameters::RestDistance;
         sum += near ? change[b] * change[b] : 0.0f;
         nodes += near ? 1.0f : 0.0f;
         m_Values[node + i] = next;

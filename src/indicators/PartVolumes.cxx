@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "indicators/PartVolumes.h"
 
+#include "indicators/BlockValue.h"
 #include "indicators/IndicatorSmoothing.h"
 #include "base/Parallel.h"
 
@@ -101,17 +102,8 @@ PartVolumes::FindNearby(const Index & at) const
 float
 PartVolumes::ValueAt(Material m, const Index & at) const
 {
-  const auto & block = m_Indicators[m];
-  Index        local;
-  for (int a = 0; a < 3; ++a)
-  {
-    local[a] = at[a] - block.lower[a];
-    if (local[a] < 0 || local[a] >= block.size[a])
-    {
-      return Outside;
-    }
-  }
-  return block.values[(std::size_t(local[2]) * block.size[1] + local[1]) * block.size[0] + local[0]];
+  const float * const value = FindValue(m_Indicators[m], at);
+  return value ? *value : Outside;
 }
 
 float

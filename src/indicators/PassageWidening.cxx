@@ -17,45 +17,25 @@
  *=========================================================================*/
 #include "indicators/PassageWidening.h"
 
-#include "indicators/CriticalPoint.h"
-#include "indicators/IndicatorRaises.h"
 #include "indicators/IndicatorSmoothing.h"
 #include "base/MakeUnique.h"
 #include "base/ParallelCollect.h"
+#include "indicators/PassageBalances.h"
 #include "indicators/SampleLattice.h"
 #include "indicators/SampleNeighbours.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <map>
 #include <numeric>
-#include <tuple>
 
 namespace mmm
 {
 namespace
 {
-constexpr int Refinement = 2;
-/** How much the largest indicator exceeds the second where a passage is wide enough, in voxels; an interface lies at
- * half of that. */
-constexpr float PassageLead = 0.5f;
-/** What has been widened may leave something else narrow. More passes where contacts are kept. */
-constexpr int         Passes = 3;
-constexpr int         ContactPasses = 6;
-constexpr std::size_t PlacesPerRange = 4096;
+using Parameters = PassageParameters;
 
-IndicatorSet
-MakeIndicatorSet(const Grid & grid, const std::vector<Block<float>> & blocks)
-{
-  std::vector<IndicatorBricks> indicators;
-  for (const auto & block : blocks)
-  {
-    indicators.emplace_back(
-      grid, BlockView<const float>{ block.lower, block.size, block.values.data() }, -float(IndicatorBandWidth));
-  }
-  return IndicatorSet(grid, std::move(indicators), -IndicatorBandWidth);
-}
+constexpr int         Refinement = Parameters::Refinement;
+constexpr std::size_t PlacesPerRange = 4096;
 
 /** A sample whose material leads by little. */
 struct WeakSample
@@ -83,7 +63,7 @@ public:
   {
     std::vector<std::size_t> places(m_Materials.size());
     std::iota(places.begin(), places.end(), 0);
-    const int passes = m_KeepContacts ? ContactPasses : Passes;
+    const int passes = m_KeepContacts ? Parameters::ContactPasses : Parameters::Passes;
     for (int pass = 0; pass < passes && !places.empty(); ++pass)
     {
       if (pass > 0)
@@ -101,7 +81,7 @@ public:
       }
       if (m_KeepContacts)
       {
-        this->TipBalances(this->FindBalances(weak), raises);
+        TipBalances(m_Indicators, this->WeakPlaces(weak), raises);
       }
       ApplyRaises(m_Indicators, raises, m_Blocks);
       places = this->PlacesAround(raises);
@@ -111,16 +91,6 @@ public:
 private:
   /** The materials of a sample's neighbours. */
   using Surroundings = std::array<Material, SampleNeighbours::Count>;
-
-  /** A critical point of the difference of two materials where neither leads by much: the middle of something narrow,
-   * and the nodes around it. */
-  struct Balance
-  {
-    IndexBox nodes;
-    Material leader;
-    Material other;
-    float    lead;
-  };
 
   /** What visit(place, found) finds at some places, in their order. */
   template <typename T, typename TVisitor>
@@ -162,7 +132,7 @@ private:
     }
     m_Materials[place] = best[0];
     const auto lead = float(values[0] - values[1]);
-    if (lead < PassageLead)
+    if (lead < Parameters::Lead)
     {
       weak.push_back({ place, lead, best[1] });
     }
@@ -180,29 +150,12 @@ private:
     return box;
   }
 
-  IndexBox
-  NodesAround(const Vector & x) const
-  {
-    // a node this close is the only one of its axis
-    constexpr double Near = 0.1;
-    IndexBox         box;
-    for (int a = 0; a < 3; ++a)
-    {
-      const double at = x[a] / m_Grid.spacing[a];
-      box.lower[a] = int(std::floor(at + Near));
-      box.upper[a] = int(std::ceil(at - Near));
-    }
-    return { m_Grid.Clamp(box.lower), m_Grid.Clamp(box.upper) };
-  }
-
   /** What a weak sample needs if it holds something together, or apart. */
   void
   AddRaises(const WeakSample & weak, std::vector<Raise> & raises) const
   {
-    // interpolation halfway between nodes gives so much of what its two nodes get
-    constexpr double Halfway = 9.0 / 8.0;
-    const Index      sample = m_Lattice.SampleAt(weak.place);
-    const Material   own = m_Materials[weak.place];
+    const Index    sample = m_Lattice.SampleAt(weak.place);
+    const Material own = m_Materials[weak.place];
     if (m_IsClosed[weak.place])
     {
       return;
@@ -213,74 +166,28 @@ private:
       return;
     }
     const IndexBox box = this->NodesAround(sample, sample);
-    double         amount = PassageLead - weak.lead;
+    double         amount = Parameters::Lead - weak.lead;
     for (int a = 0; a < 3; ++a)
     {
-      amount /= box.upper[a] > box.lower[a] ? Halfway : 1.0;
+      amount /= box.upper[a] > box.lower[a] ? Parameters::Halfway : 1.0;
     }
     box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), own, float(amount) }); });
   }
 
-  /** Near samples whose material leads by little, those that lead most first. */
-  std::vector<Balance>
-  FindBalances(const std::vector<WeakSample> & weak) const
+  /** Where samples lead by little that are not to be closed. */
+  std::vector<WeakPlace>
+  WeakPlaces(const std::vector<WeakSample> & weak) const
   {
-    constexpr std::size_t SamplesPerRange = 256;
-    auto                  balances =
-      ParallelCollect<Balance>(weak.size(), SamplesPerRange, [&](std::size_t n, std::vector<Balance> & found) {
-        Balance balance;
-        if (!m_IsClosed[weak[n].place] && this->FindBalance(weak[n], balance))
-        {
-          found.push_back(balance);
-        }
-      });
-    std::stable_sort(
-      balances.begin(), balances.end(), [](const Balance & a, const Balance & b) { return a.lead > b.lead; });
-    return balances;
-  }
-
-  bool
-  FindBalance(const WeakSample & weak, Balance & balance) const
-  {
-    // what is nearer to another sample is found from there; in voxels
-    constexpr double Reach = 0.7 / Refinement;
-    const Material   own = m_Materials[weak.place];
-    Vector           x = m_Lattice.Position(m_Lattice.SampleAt(weak.place));
-    if (!FindCriticalPoint(m_Indicators, own, weak.second, Reach, x))
+    std::vector<WeakPlace> places;
+    for (const WeakSample & sample : weak)
     {
-      return false;
+      if (!m_IsClosed[sample.place])
+      {
+        const Vector x = m_Lattice.Position(m_Lattice.SampleAt(sample.place));
+        places.push_back({ x, m_Materials[sample.place], sample.second });
+      }
     }
-    const double lead = m_Indicators.Difference(own, weak.second, x);
-    balance = {
-      this->NodesAround(x), lead > 0.0 ? own : weak.second, lead > 0.0 ? weak.second : own, float(std::abs(lead))
-    };
-    return balance.lead < PassageLead && m_Indicators.MaterialAt(x) == balance.leader;
-  }
-
-  /** Tips the balances: the one that leads gets its lead at least, half of it from the other one, unless that one has
-   * got it at a neighbour that comes earlier. */
-  void
-  TipBalances(const std::vector<Balance> & balances, std::vector<Raise> & raises) const
-  {
-    // the leaders at nodes, by the node and the two materials
-    std::map<std::tuple<std::size_t, Material, Material>, Material> leaders;
-    for (const Balance & balance : balances)
-    {
-      const auto pair = std::minmax(balance.leader, balance.other);
-      bool       isLost = false;
-      balance.nodes.Visit([&](const Index & node) {
-        const auto at = leaders.find({ m_Grid.Offset(node), pair.first, pair.second });
-        isLost = isLost || (at != leaders.end() && at->second == balance.other);
-      });
-      const Material leader = isLost ? balance.other : balance.leader;
-      const Material other = isLost ? balance.leader : balance.other;
-      const float    amount = 0.5f * (isLost ? PassageLead + balance.lead : PassageLead - balance.lead);
-      balance.nodes.Visit([&](const Index & node) {
-        leaders.insert({ { m_Grid.Offset(node), pair.first, pair.second }, leader });
-        raises.push_back({ m_Grid.Offset(node), leader, amount });
-        raises.push_back({ m_Grid.Offset(node), other, -amount });
-      });
-    }
+    return places;
   }
 
   /** What is to change where a sample touches others of another material, and a third one that holds something together
@@ -325,7 +232,7 @@ private:
     const Vector x = 0.5 * (m_Lattice.Position(sample) + m_Lattice.Position(other));
     const auto lead = float(std::max(m_Indicators.Value(*pair.begin(), x), m_Indicators.Value(*(pair.begin() + 1), x)) -
                             m_Indicators.Value(third, x));
-    if (lead >= PassageLead)
+    if (lead >= Parameters::Lead)
     {
       return false;
     }
@@ -333,7 +240,7 @@ private:
     const bool     isUpper = n < SampleNeighbours::Count / 2;
     const IndexBox box = isUpper ? this->NodesAround(sample, other) : this->NodesAround(other, sample);
     const bool     isKept = m_KeepContacts && this->ShareFace(box, pair);
-    const float    amount = isKept ? lead - PassageLead : lead + PassageLead;
+    const float    amount = isKept ? lead - Parameters::Lead : lead + Parameters::Lead;
     box.Visit([&](const Index & node) { raises.push_back({ m_Grid.Offset(node), third, amount }); });
     return !isKept;
   }

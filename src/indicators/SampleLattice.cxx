@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "indicators/SampleLattice.h"
 
-#include "base/Parallel.h"
+#include "base/ParallelCollect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +27,7 @@ namespace mmm
 namespace
 {
 constexpr std::uint32_t None = 0xffffffffu;
+constexpr std::size_t   VoxelsPerRange = 65536;
 /** How far samples are off their places, in samples. */
 const Vector Shift(-0.0031, -0.0047, -0.0023);
 
@@ -120,30 +121,18 @@ SampleLattice::SampleLattice(const IndicatorSet & indicators, int refinement)
     m_Step[a] = grid.spacing[a] / refinement;
     m_Origin[a] = Shift[a] * m_Step[a];
   }
-  std::vector<std::vector<std::size_t>> layers(grid.size[2]);
-  ParallelFor(grid.size[2], 1, [&](std::size_t begin, std::size_t end) {
-    for (int k = int(begin); k < int(end); ++k)
-    {
-      for (int j = 0; j < grid.size[1]; ++j)
+  m_Voxels = ParallelCollect<std::size_t>(
+    grid.NumberOfNodes(), VoxelsPerRange, [&](std::size_t n, std::vector<std::size_t> & kept) {
+      const auto [i, j, k] = grid.IndexAt(n);
+      if (!IsUniform(grid, indicators.NodeMaterials(), { { i - 1, j - 1, k - 1 } }, { { i + 1, j + 1, k + 1 } }))
       {
-        for (int i = 0; i < grid.size[0]; ++i)
-        {
-          if (!IsUniform(grid, indicators.NodeMaterials(), { { i - 1, j - 1, k - 1 } }, { { i + 1, j + 1, k + 1 } }))
-          {
-            layers[k].push_back(grid.Offset(i, j, k));
-          }
-        }
+        kept.push_back(n);
       }
-    }
-  });
+    });
   m_Numbers.assign(grid.NumberOfNodes(), None);
-  for (const auto & layer : layers)
+  for (std::size_t v = 0; v < m_Voxels.size(); ++v)
   {
-    for (const auto voxel : layer)
-    {
-      m_Numbers[voxel] = std::uint32_t(m_Voxels.size());
-      m_Voxels.push_back(voxel);
-    }
+    m_Numbers[m_Voxels[v]] = std::uint32_t(v);
   }
 }
 

@@ -18,7 +18,8 @@
 #include "indicators/VolumeCorrection.h"
 
 #include "indicators/IndicatorSmoothing.h"
-#include "base/Parallel.h"
+#include "base/ParallelCollect.h"
+#include "indicators/BlockValue.h"
 #include "indicators/PartVolumes.h"
 
 #include <algorithm>
@@ -28,19 +29,10 @@ namespace mmm
 {
 namespace
 {
-/** Digitization itself is no more accurate than this. */
-constexpr double Tolerance = 0.005;
-/** Volumes grow faster than offsets: one round leaves some ten percent of what small parts lack. */
-constexpr int Rounds = 3;
-constexpr int Sweeps = 50;
-/** The largest offset of a round. */
-constexpr double LongestOffset = 0.4;
-/** Values this far from the zero level get all of the offset, those at the end of the band none. */
-constexpr float WholeDepth = 1.5f;
-/** The offset of a part is continued this many nodes beyond it. */
-constexpr int Continuation = 4;
+using Parameters = VolumeParameters;
 
 constexpr std::size_t Grain = 1024;
+constexpr std::size_t VoxelsPerRange = 65536;
 constexpr float       BandWidth = float(IndicatorBandWidth);
 /** An offset that is not known. */
 constexpr float Unknown = 1e9f;
@@ -61,7 +53,7 @@ public:
   void
   Run()
   {
-    for (int round = 0; round < Rounds; ++round)
+    for (int round = 0; round < Parameters::Rounds; ++round)
     {
       const auto shares = m_Volumes.Measure(m_Rim);
       const auto lacks = this->ComputeLacks(shares);
@@ -85,25 +77,17 @@ private:
   void
   FindRim()
   {
-    const Grid &                          grid = m_Image.grid;
-    std::vector<std::vector<std::size_t>> layers(grid.size[2]);
-    ParallelFor(layers.size(), 1, [&](std::size_t begin, std::size_t end) {
-      const std::size_t layer = std::size_t(grid.size[0]) * grid.size[1];
-      for (std::size_t n = begin * layer; n < end * layer; ++n)
-      {
+    const Grid & grid = m_Image.grid;
+    m_Rim = ParallelCollect<std::size_t>(
+      grid.NumberOfNodes(), VoxelsPerRange, [&](std::size_t n, std::vector<std::size_t> & found) {
         if (m_Volumes.IsRim(grid.IndexAt(n)))
         {
-          layers[n / layer].push_back(n);
+          found.push_back(n);
         }
-      }
-    });
+      });
     for (const auto & part : m_Parts.parts)
     {
       m_CoreVolumes.push_back(double(part.voxels));
-    }
-    for (const auto & layer : layers)
-    {
-      m_Rim.insert(m_Rim.end(), layer.begin(), layer.end());
     }
     for (const auto n : m_Rim)
     {
@@ -134,7 +118,8 @@ private:
     {
       const double voxels = double(m_Parts.parts[r].voxels);
       const double lack = voxels - lacks[r];
-      lacks[r] = m_IsSettled[r] ? 0.0 : std::copysign(std::max(0.0, std::abs(lack) - Tolerance * voxels), lack);
+      lacks[r] =
+        m_IsSettled[r] ? 0.0 : std::copysign(std::max(0.0, std::abs(lack) - Parameters::Tolerance * voxels), lack);
     }
     return lacks;
   }
@@ -151,7 +136,7 @@ private:
     }
     for (std::size_t r = 0; r < lacks.size(); ++r)
     {
-      m_IsSettled[r] |= lacks[r] == 0.0 && changes[r] < Tolerance * double(m_Parts.parts[r].voxels);
+      m_IsSettled[r] |= lacks[r] == 0.0 && changes[r] < Parameters::Tolerance * double(m_Parts.parts[r].voxels);
     }
     std::size_t kept = 0;
     for (std::size_t v = 0; v < m_Rim.size(); ++v)
@@ -190,7 +175,7 @@ private:
         parts.begin(), parts.end(), [](const ImagePart & a, const ImagePart & b) { return a.voxels < b.voxels; }) -
       parts.begin();
     std::vector<double> offsets(lacks.size(), 0.0);
-    for (int sweep = 0; sweep < Sweeps; ++sweep)
+    for (int sweep = 0; sweep < Parameters::Sweeps; ++sweep)
     {
       for (std::size_t r = 0; r < offsets.size(); ++r)
       {
@@ -203,7 +188,7 @@ private:
         {
           sum += contact.second * offsets[contact.first];
         }
-        offsets[r] = std::min(std::max(sum / areas[r], -LongestOffset), LongestOffset);
+        offsets[r] = std::min(std::max(sum / areas[r], -Parameters::LongestOffset), Parameters::LongestOffset);
       }
     }
     return offsets;
@@ -248,7 +233,7 @@ private:
       const float depth = std::abs(value);
       if (field[n] != Unknown && depth < BandWidth)
       {
-        value += field[n] * std::min(1.0f, (BandWidth - depth) / (BandWidth - WholeDepth));
+        value += field[n] * std::min(1.0f, (BandWidth - depth) / (BandWidth - Parameters::WholeDepth));
       }
     }
   }
@@ -259,7 +244,7 @@ private:
   {
     const std::ptrdiff_t strides[3] = { 1, size[0], std::ptrdiff_t(size[0]) * size[1] };
     std::vector<float>   found;
-    for (int round = 0; round < Continuation; ++round)
+    for (int round = 0; round < Parameters::Continuation; ++round)
     {
       found.assign(open.size(), Unknown);
       for (std::size_t o = 0; o < open.size(); ++o)
@@ -306,9 +291,7 @@ private:
         if (gap < m_Margins[v])
         {
           // nobody else looks at the own material's value here
-          auto &     block = m_Indicators[m_Image.materials[m_Rim[v]]];
-          const auto row = std::size_t(at[2] - block.lower[2]) * block.size[1] + (at[1] - block.lower[1]);
-          block.values[row * block.size[0] + (at[0] - block.lower[0])] += 2.0f * (m_Margins[v] - gap);
+          *FindValue(m_Indicators[m_Image.materials[m_Rim[v]]], at) += 2.0f * (m_Margins[v] - gap);
         }
       }
     });

@@ -99,7 +99,7 @@ IndicatorConstraint::DistanceToInterface(Material a, Material b, const Vector & 
     {
       for (const Material m : m_Cells[corner])
       {
-        if (m_Indicators.IsPlane(m) && std::abs(m_Indicators.PlaneValue(m, x)) < OnPlane)
+        if (m_Indicators.IsPlane(m) && std::abs(m_Indicators.Planes().Value(m, x)) < OnPlane)
         {
           return 0.0;
         }

@@ -18,7 +18,7 @@
 #include "particles/InteriorParticles.h"
 
 #include "base/Hash.h"
-#include "base/Parallel.h"
+#include "base/ParallelCollect.h"
 #include "base/PointBins.h"
 #include "particles/SpatialOrder.h"
 
@@ -29,12 +29,7 @@ namespace mmm
 {
 namespace
 {
-/** The distance that particles keep, in units of h: between two of the interior, and to one on an interface. */
-constexpr double ThinningDistance = 0.80;
-constexpr double InterfaceDistance = 0.65;
-
-/** Candidates in a voxel; h below a quarter of a voxel is not followed in the interior. */
-constexpr double MostCandidates = 512.0;
+using Parameters = InteriorSeedingParameters;
 
 /** A number between 0 and 1 from the bits of a hash. */
 double
@@ -55,52 +50,39 @@ struct Candidate
 std::vector<Candidate>
 CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed)
 {
-  const Grid &                        grid = indicators.GetGrid();
-  std::vector<std::vector<Candidate>> parts(grid.size[2]);
-  ParallelFor(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-    {
-      for (int j = 0; j < grid.size[1]; ++j)
+  const Grid & grid = indicators.GetGrid();
+  const auto   layer = std::size_t(grid.size[0]) * grid.size[1];
+  auto         candidates =
+    ParallelCollect<Candidate>(grid.NumberOfNodes(), layer, [&](std::size_t n, std::vector<Candidate> & found) {
+      const Material m = indicators.MaterialAtNode(n);
+      if (int(m) == exterior)
       {
-        for (int i = 0; i < grid.size[0]; ++i)
+        return;
+      }
+      const Vector node = grid.Position(grid.IndexAt(n));
+      const double h = sizing(node);
+      // where that is more than one a voxel, one a cube
+      const double cubes = grid.spacing.prod() / (h * h * h);
+      const double expected =
+        std::min(std::max(std::min(Parameters::CandidatesPerCube * cubes, 1.0), cubes), Parameters::MostCandidates);
+      for (int c = 0; c < expected; ++c)
+      {
+        const std::uint64_t draw = Hash(seed ^ Hash(n) ^ (std::uint64_t(c) << 32));
+        if (Fraction(draw) > expected - c)
         {
-          const std::size_t n = grid.Offset(i, j, int(k));
-          const Material    m = indicators.MaterialAtNode(n);
-          if (int(m) == exterior)
-          {
-            continue;
-          }
-          const Vector node = grid.Position(Index{ { i, j, int(k) } });
-          const double h = sizing(node);
-          // about eight candidates a cube of edge h; where that is more than one a voxel, one a cube
-          const double cubes = grid.spacing.prod() / (h * h * h);
-          const double expected = std::min(std::max(std::min(8.0 * cubes, 1.0), cubes), MostCandidates);
-          for (int c = 0; c < expected; ++c)
-          {
-            const std::uint64_t draw = Hash(seed ^ Hash(n) ^ (std::uint64_t(c) << 32));
-            if (Fraction(draw) > expected - c)
-            {
-              continue;
-            }
-            Vector x;
-            for (int a = 0; a < 3; ++a)
-            {
-              x[a] = node[a] + (Fraction(Hash(draw + a + 1)) - 0.5) * grid.spacing[a];
-            }
-            if (indicators.MaterialAt(x) == m)
-            {
-              parts[k].push_back({ x, m, float(sizing(x)), Hash(draw) });
-            }
-          }
+          continue;
+        }
+        Vector x;
+        for (int a = 0; a < 3; ++a)
+        {
+          x[a] = node[a] + (Fraction(Hash(draw + a + 1)) - 0.5) * grid.spacing[a];
+        }
+        if (indicators.MaterialAt(x) == m)
+        {
+          found.push_back({ x, m, float(sizing(x)), Hash(draw) });
         }
       }
-    }
-  });
-  std::vector<Candidate> candidates;
-  for (auto & part : parts)
-  {
-    candidates.insert(candidates.end(), part.begin(), part.end());
-  }
+    });
   std::sort(
     candidates.begin(), candidates.end(), [](const Candidate & a, const Candidate & b) { return a.order < b.order; });
   return candidates;
@@ -116,7 +98,7 @@ SeedInteriorParticles(const IndicatorSet & indicators,
 {
   const auto candidates = CollectCandidates(indicators, sizing, exterior, seed);
 
-  PointBins                               binning(indicators.GetGrid(), 2.0);
+  PointBins                               binning(indicators.GetGrid());
   std::vector<std::vector<std::uint32_t>> bins(binning.NumberOfBins());
   const std::size_t                       firstInterior = particles.Size();
   for (std::size_t p = 0; p < firstInterior; ++p)
@@ -127,11 +109,11 @@ SeedInteriorParticles(const IndicatorSet & indicators,
   for (const Candidate & candidate : candidates)
   {
     bool         free = true;
-    const double reach = ThinningDistance * candidate.size;
+    const double reach = Parameters::ThinningDistance * candidate.size;
     binning.VisitBins(candidate.position, reach, [&](std::size_t bin) {
       for (const auto p : bins[bin])
       {
-        const double distance = p < firstInterior ? InterfaceDistance * candidate.size : reach;
+        const double distance = p < firstInterior ? Parameters::InterfaceDistance * candidate.size : reach;
         free = free && (particles.positions[p] - candidate.position).squaredNorm() >= distance * distance;
       }
     });

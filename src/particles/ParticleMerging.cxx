@@ -27,11 +27,7 @@ namespace mmm
 {
 namespace
 {
-/** Particles of one sheet, or of a sheet and its border, are joined below this distance in units of h; */
-constexpr double SheetDistance = 0.35;
-/** junctions below this, and points of different sheets below this, in units of the smallest voxel spacing. */
-constexpr double JunctionDistance = 0.3;
-constexpr double LayerDistance = 0.15;
+using Parameters = MergingParameters;
 
 /** Moves particles that were joined onto the cell of all their materials, unless that brings them close to others.
  * Where that is a curve that does not exist there, they stay on the cell that they had. `bins` and `cells` have
@@ -52,16 +48,16 @@ MoveOntoCells(const IndicatorSet &               indicators,
     }
     const Cell & joint = particles.CellOf(p);
     Vector       x = positions[p];
-    if (!indicators.Project(joint, x, JunctionDistance))
+    if (!indicators.Project(joint, x, Parameters::JunctionDistance))
     {
       particles.cells[p] = joint.Dimension() > 0 ? cells[p] : particles.cells[p];
       continue;
     }
-    bool isFree = indicators.IsMaximal(joint, x, IndicatorSet::MaximalityTolerance);
+    bool isFree = indicators.IsMaximal(joint, x);
     if (isFree)
     {
-      bins.Visit(x, JunctionDistance + LayerDistance, [&](std::uint32_t q) {
-        isFree = isFree && (q == p || !kept[q] || (positions[q] - x).norm() > LayerDistance);
+      bins.Visit(x, Parameters::JunctionDistance + Parameters::LayerDistance, [&](std::uint32_t q) {
+        isFree = isFree && (q == p || !kept[q] || (positions[q] - x).norm() > Parameters::LayerDistance);
       });
     }
     positions[p] = isFree ? x : positions[p];
@@ -79,7 +75,7 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
     return particles.CellOf(a).count > particles.CellOf(b).count;
   });
   CellNumbers       numbers(particles.cellTable);
-  PointBins         bins(indicators.GetGrid(), 2.0);
+  PointBins         bins(indicators.GetGrid());
   std::vector<char> kept(count, 0);
   const auto        cells = particles.cells;
   bins.Assign(particles.positions);
@@ -87,7 +83,7 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
   {
     const Vector & x = particles.positions[p];
     const double   h = sizing(x);
-    const double   reach = std::max(SheetDistance * h, JunctionDistance);
+    const double   reach = std::max(Parameters::SheetDistance * h, Parameters::JunctionDistance);
     std::uint32_t  nearest = p;
     double         least = reach * reach;
     bins.Visit(x, reach, [&](std::uint32_t q) {
@@ -98,11 +94,11 @@ MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing,
       }
       const Cell & own = particles.CellOf(p);
       const Cell & other = particles.CellOf(q);
-      double       limit = own.Dimension() == 2 ? LayerDistance : JunctionDistance;
+      double       limit = own.Dimension() == 2 ? Parameters::LayerDistance : Parameters::JunctionDistance;
       if (other.Includes(own) && (other != own || own.Dimension() != 2 ||
                                   indicators.Normal(own, x).dot(indicators.Normal(own, particles.positions[q])) > 0.0))
       {
-        limit = SheetDistance * h;
+        limit = Parameters::SheetDistance * h;
       }
       if (square < limit * limit)
       {

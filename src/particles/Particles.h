@@ -21,7 +21,8 @@
 #include "MultiMaterialMeshingReports.h"
 #include "indicators/IndicatorSet.h"
 #include "base/Monitor.h"
-#include "indicators/SampleLattice.h"
+#include "particles/ParticleParameters.h"
+#include "particles/SeedCubes.h"
 #include "sizing/SizingField.h"
 
 #include <cstdint>
@@ -67,14 +68,6 @@ struct ParticleSet
   }
 };
 
-struct RelaxationParameters
-{
-  /** Sweeps end when the particles move by less than this on average, in units of h ... */
-  double tolerance{ 0.01 };
-  /** ... or after so many. */
-  int maximumSweeps{ 40 };
-};
-
 /** \brief Starts particles on all 0-, 1- and 2-cells.
  *
  * Every dual cube of the grid whose corners disagree starts one particle for each pair, triple and quadruple of its
@@ -84,21 +77,11 @@ struct RelaxationParameters
 MultiMaterialMeshing_EXPORT ParticleSet
 SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed);
 
-/** Adds particles like these around some grid nodes, where those that are there are not dense enough for h. Returns how
- * many. */
+/** Adds particles like these from the cubes around some places, where those that are there are not dense enough for h.
+ * Returns how many. */
 MultiMaterialMeshing_EXPORT std::size_t
-                            SeedParticlesAround(const IndicatorSet &             indicators,
-                                                const SizingField &              sizing,
-                                                int                              exterior,
-                                                std::uint64_t                    seed,
-                                                const std::vector<std::size_t> & nodes,
-                                                ParticleSet &                    particles);
-
-/** The same around some samples of a partition, from the cubes of samples there. */
-MultiMaterialMeshing_EXPORT std::size_t
-                            SeedParticlesAround(const SampleLattice &      lattice,
-                                                const SampledMaterials &   partition,
-                                                const std::vector<Index> & samples,
+                            SeedParticlesAround(const SeedCubes &          cubes,
+                                                const std::vector<Index> & places,
                                                 const SizingField &        sizing,
                                                 int                        exterior,
                                                 std::uint64_t              seed,

@@ -21,7 +21,9 @@
 #include "delaunay/ConformingDelaunay.h"
 #include "delaunay/Enclosure.h"
 #include "delaunay/TetGen.h"
+#include "mesh/MeshInvariants.h"
 #include "mesh/MeshTopology.h"
+#include "mesh/Renumber.h"
 #include "optimize/IndicatorConstraint.h"
 #include "optimize/InterfaceFit.h"
 #include "particles/InteriorParticles.h"
@@ -32,6 +34,7 @@
 #include "itkMacro.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string>
 
 namespace mmm
@@ -99,17 +102,8 @@ SortPoints(MeshingResult & result)
       result.numberOfSurfacePoints = points.size();
     }
   }
-  const auto renumber = [&number](auto & elements) {
-    for (auto & element : elements)
-    {
-      for (auto & corner : element)
-      {
-        corner = number[corner];
-      }
-    }
-  };
-  renumber(result.tetrahedra.tetrahedra);
-  renumber(result.interfaces.triangles);
+  Renumber(number, result.tetrahedra.tetrahedra);
+  Renumber(number, result.interfaces.triangles);
   result.points.swap(points);
   particles = std::move(kept);
 }
@@ -191,9 +185,7 @@ BuildMesh(const IndicatorSet &      indicators,
   MeshingReport & report = result.report;
   ParticleSet &   particles = result.particles;
 
-  const float * const wanted = wantedSizing.Values();
-  std::vector<float>  sizes(wanted, wanted + indicators.GetGrid().NumberOfNodes());
-  const SizingField   sizing(indicators.GetGrid(), sizes.data());
+  SizingField sizing = wantedSizing; // the surface takes smaller ones where it would miss something
 
   monitor.BeginStage("seeding of particles");
   particles = SeedParticles(indicators, sizing, parameters.exterior, parameters.seed);
@@ -214,7 +206,7 @@ BuildMesh(const IndicatorSet &      indicators,
       << " particles found a place on one. The image needs at least one voxel of a label that is "
          "not exterior.");
   }
-  result.interfaces = BuildSurface(indicators, sizing, parameters, sizes, particles, monitor, report);
+  result.interfaces = BuildSurface(indicators, parameters, sizing, particles, monitor, report);
   result.points = particles.positions;
   result.numberOfSurfacePoints = result.points.size();
   monitor.Report(1.0);
@@ -260,6 +252,8 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
   report.steinerPoints = result.points.size() - numberOfPoints;
+  assert(ArePositive(result.points, result.tetrahedra.tetrahedra, FlatVolume));
+  assert(AreFaces(result.interfaces.triangles, result.tetrahedra.tetrahedra));
   monitor.Report(1.0);
 
   monitor.BeginStage("optimization");
@@ -270,6 +264,7 @@ BuildMesh(const IndicatorSet &      indicators,
   report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
   result.tetrahedra = complex.GetMesh();
+  assert(ArePositive(result.points, result.tetrahedra.tetrahedra));
   DropMaterial(exterior, result.tetrahedra);
   if (parameters.compareTopology &&
       !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
@@ -279,7 +274,9 @@ BuildMesh(const IndicatorSet &      indicators,
   }
   monitor.BeginStage("fit of the interfaces");
   FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
+  assert(ArePositive(result.points, result.tetrahedra.tetrahedra));
   result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
+  assert(AreClosed(result.interfaces));
   if (parameters.surfaceOnly)
   {
     result.tetrahedra = TetrahedralMesh();

@@ -17,7 +17,7 @@
  *=========================================================================*/
 #include "sizing/InterfaceSamples.h"
 
-#include "base/Parallel.h"
+#include "base/ParallelCollect.h"
 
 namespace mmm
 {
@@ -36,7 +36,6 @@ void
 CollectPlane(const IndicatorSet & indicators, int exterior, int k, std::vector<InterfaceSample> & samples)
 {
   const Grid & grid = indicators.GetGrid();
-  const auto   firstPlane = indicators.GetNumberOfMaterials();
   for (int j = 0; j < grid.size[1]; ++j)
   {
     for (int i = 0; i < grid.size[0]; ++i)
@@ -67,7 +66,7 @@ CollectPlane(const IndicatorSet & indicators, int exterior, int k, std::vector<I
             const double sign = side ? 1.0 : -1.0;
             samples.push_back({ x + sign * 0.5 * grid.spacing[a] * Vector::Unit(a),
                                 own,
-                                Material(firstPlane + 2 * a + side),
+                                indicators.Planes().At(2 * a + side),
                                 sign * Vector::Unit(a) });
           }
         }
@@ -80,19 +79,9 @@ CollectPlane(const IndicatorSet & indicators, int exterior, int k, std::vector<I
 std::vector<InterfaceSample>
 CollectInterfaceSamples(const IndicatorSet & indicators, int exterior)
 {
-  const int                                 planes = indicators.GetGrid().size[2];
-  std::vector<std::vector<InterfaceSample>> perPlane(planes);
-  ParallelFor(planes, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-    {
-      CollectPlane(indicators, exterior, int(k), perPlane[k]);
-    }
-  });
-  std::vector<InterfaceSample> samples;
-  for (const auto & part : perPlane)
-  {
-    samples.insert(samples.end(), part.begin(), part.end());
-  }
-  return samples;
+  return ParallelCollect<InterfaceSample>(
+    indicators.GetGrid().size[2], 1, [&](std::size_t k, std::vector<InterfaceSample> & samples) {
+      CollectPlane(indicators, exterior, int(k), samples);
+    });
 }
 } // namespace mmm

@@ -33,6 +33,13 @@ struct InterfaceSample
   Material first;
   Material second;
   Vector   normal;
+
+  /** The material that is not this one. */
+  Material
+  Opposite(Material own) const
+  {
+    return first == own ? second : first;
+  }
 };
 
 /** All crossings of interfaces with grid edges, and a sample for each voxel face in which the image border cuts a

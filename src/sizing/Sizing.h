@@ -23,24 +23,10 @@
 #include "sizing/InterfaceSamples.h"
 #include "base/Monitor.h"
 #include "sizing/SizingControl.h"
+#include "sizing/SizingParameters.h"
 
 namespace mmm
 {
-/** Lengths are in units of the smallest voxel spacing. */
-struct SizingParameters
-{
-  /** Edge length per local feature size. */
-  double epsilon{ 2.5 };
-  /** The largest distance between a chord and the interface that it stands for. */
-  double chordTolerance{ 0.1 };
-  /** The largest gradient of the sizing field. */
-  double gradientLimit{ 0.5 };
-  double minimumSize{ 1.0 };
-  double maximumSize{ 1e30 };
-  /** What no size exceeds, whatever else is asked for. */
-  double sizeLimit{ 1e30 };
-};
-
 /** \brief The sizing field h: the edge length that is asked for, at every grid node.
  *
  * At the interfaces h0 = min(epsilon * local feature size, sqrt(8 * chordTolerance / largest curvature)), within

@@ -18,7 +18,7 @@
 #include "sizing/SizingControl.h"
 
 #include "base/Parallel.h"
-#include "sizing/Sizing.h"
+#include "sizing/SizingParameters.h"
 
 #include <algorithm>
 #include <cmath>

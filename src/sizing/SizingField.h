@@ -18,27 +18,32 @@
 #ifndef mmmSizingField_h
 #define mmmSizingField_h
 
+#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mmm
 {
 /** The sizing field h between the grid nodes: trilinear, continued constantly beyond the border. */
-class SizingField
+class MultiMaterialMeshing_EXPORT SizingField
 {
 public:
-  /** `values` holds a size per grid node and must outlive the field. */
+  /** `values` holds a size per grid node, of which the field keeps a copy. */
   SizingField(const Grid & grid, const float * values)
     : m_Grid(grid)
-    , m_Values(values)
+    , m_Values(values, values + grid.NumberOfNodes())
   {}
 
   const float *
   Values() const
   {
-    return m_Values;
+    return m_Values.data();
+  }
+  float
+  AtNode(const Index & node) const
+  {
+    return m_Values[m_Grid.Offset(node)];
   }
 
   double
@@ -66,9 +71,14 @@ public:
     return value;
   }
 
+  /** Lowers h to `size` at some places, and so around them that it grows by `slope` times the distance; as far as
+   * `reach` along each axis. */
+  void
+  Lower(const std::vector<Vector> & places, double size, double slope, double reach);
+
 private:
-  Grid          m_Grid;
-  const float * m_Values;
+  Grid               m_Grid;
+  std::vector<float> m_Values;
 };
 } // namespace mmm
 

@@ -19,6 +19,7 @@
 
 #include "particles/CellNumbers.h"
 #include "surface/LinkInspector.h"
+#include "surface/SurfaceParameters.h"
 #include "base/Parallel.h"
 
 #include <algorithm>
@@ -28,8 +29,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t ParticlesPerRange = 4096;
-/** How far a cell may be from a particle, in units of the smallest voxel spacing. */
-constexpr double Reach = 0.5;
 
 /** The cell of some materials, or the particle's own one where that is not near. */
 Cell
@@ -46,7 +45,7 @@ CellOfMaterials(const IndicatorSet & indicators, const std::vector<Material> & m
   {
     cell.Join(Cell{ m });
   }
-  return cell != own && indicators.ProjectWhereMaximal(cell, x, Reach) ? cell : own;
+  return cell != own && indicators.ProjectWhereMaximal(cell, x, MendingParameters::CellReach) ? cell : own;
 }
 } // namespace
 

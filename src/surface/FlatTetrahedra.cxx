@@ -18,6 +18,7 @@
 #include "surface/FlatTetrahedra.h"
 
 #include "surface/LinkInspector.h"
+#include "surface/SurfaceParameters.h"
 #include "base/ParallelCollect.h"
 #include "mesh/TetrahedronQuality.h"
 #include "surface/TetrahedronSupport.h"
@@ -31,13 +32,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t TetrahedraPerRange = 16384;
-/** Passes over what is left; most is done in the first. */
-constexpr int Passes = 5;
-/** Triangles below this radius ratio are poor. */
-constexpr double PoorTriangle = 0.8;
-/** By how much the indicators may prefer the material that a tetrahedron had: an interface is where two of them are the
- * same, and each falls off by one per unit of distance. */
-constexpr double Tolerance = 2.0 * 0.25;
 
 class FlatTetrahedraTurner
 {
@@ -58,7 +52,7 @@ public:
   Turn()
   {
     std::size_t total = 0;
-    for (int pass = 0; pass < Passes; ++pass)
+    for (int pass = 0; pass < MendingParameters::Passes; ++pass)
     {
       auto candidates = ParallelCollect<Candidate>(
         m_Mesh.tetrahedra.size(), TetrahedraPerRange, [this](std::size_t t, std::vector<Candidate> & found) {
@@ -135,7 +129,7 @@ private:
       worst = std::min(worst, TriangleRadiusRatio(m_Points[corners[0]], m_Points[corners[1]], m_Points[corners[2]]));
     }
     candidate = { before, t, beyond };
-    return before < PoorTriangle && after > before;
+    return before < MendingParameters::PoorTriangle && after > before;
   }
 
   bool
@@ -146,7 +140,7 @@ private:
     const Material           own = m_Mesh.materials[t];
     const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
     if (m_Indicators.IsPlane(own) || m_Indicators.IsPlane(candidate.beyond) ||
-        support.Of(own) - support.Of(candidate.beyond) > Tolerance)
+        support.Of(own) - support.Of(candidate.beyond) > MendingParameters::Tolerance)
     {
       return false;
     }

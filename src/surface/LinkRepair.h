@@ -19,27 +19,10 @@
 #define mmmLinkRepair_h
 
 #include "indicators/IndicatorSet.h"
-#include "mesh/TetrahedronAdjacency.h"
+#include "surface/LinkDefects.h"
 
 namespace mmm
 {
-/** \brief Where the materials around a point do not meet as they do on a cell. */
-struct LinkDefects
-{
-  /** Around the edge, a material appears in more than one place. */
-  std::vector<std::array<PointId, 2>> edges;
-  /** Around the point, a material is in several parts, or encircles others. */
-  std::vector<PointId> points;
-};
-
-/** Checks the links of all points and edges of interfaces: the tetrahedra of each material at a point form one part,
- * which is a disk of the sphere around it, and those at an edge one sector. On 2-, 1- and 0-cells that means two disks,
- * three half-disks, and four triangles. What lies beyond the mesh has the material `outside`. Both lists are ascending.
- * The adjacency is that of the mesh, here and below.
- */
-MultiMaterialMeshing_EXPORT LinkDefects
-FindLinkDefects(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside);
-
 struct LinkRepairReport
 {
   LinkDefects found;

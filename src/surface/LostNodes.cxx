@@ -19,16 +19,13 @@
 
 #include "base/Parallel.h"
 #include "mesh/TetrahedronRaster.h"
+#include "surface/SurfaceParameters.h"
 
 namespace mmm
 {
 namespace
 {
-/** Labels of no more voxels are small: a few lost ones count, and it costs little to sample all of it more finely. */
-constexpr std::size_t SmallLabel = 5000;
-/** The share of its voxels that a small label may lose; the smallest ones may lose none. */
-constexpr double      AcceptedLoss = 0.06;
-constexpr std::size_t SmallestLabels = 500;
+using Parameters = LostNodeParameters;
 
 enum State : std::uint8_t
 {
@@ -60,24 +57,14 @@ VisitNeighbours(const Grid & grid, const Index & at, TVisitor && visit)
 std::vector<std::uint8_t>
 MarkInterfaceNodes(const Grid & grid, const std::vector<Material> & materials)
 {
+  constexpr std::size_t     NodesPerRange = 65536;
   std::vector<std::uint8_t> states(materials.size(), FarFromInterfaces);
-  ParallelFor(grid.size[2], 1, [&](std::size_t begin, std::size_t end) {
-    for (int k = int(begin); k < int(end); ++k)
+  ParallelFor(materials.size(), NodesPerRange, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n)
     {
-      for (int j = 0; j < grid.size[1]; ++j)
-      {
-        for (int i = 0; i < grid.size[0]; ++i)
-        {
-          const Index at{ { i, j, k } };
-          const auto  n = grid.Offset(at);
-          VisitNeighbours(grid, at, [&](std::size_t other) {
-            if (materials[other] != materials[n])
-            {
-              states[n] = Unvisited;
-            }
-          });
-        }
-      }
+      VisitNeighbours(grid, grid.IndexAt(n), [&](std::size_t other) {
+        states[n] = materials[other] != materials[n] ? std::uint8_t(Unvisited) : states[n];
+      });
     }
   });
   return states;
@@ -118,8 +105,8 @@ FindLostNodes(const IndicatorSet &        indicators,
     wrong[materials[n]] += isLost(n);
   }
   const auto isPoor = [&](Material m) {
-    const double accepted = all[m] <= SmallestLabels ? 0.0 : AcceptedLoss * double(all[m]);
-    return m != exterior && all[m] <= SmallLabel && double(wrong[m]) > accepted;
+    const double accepted = all[m] <= Parameters::SmallestLabels ? 0.0 : Parameters::AcceptedLoss * double(all[m]);
+    return m != exterior && all[m] <= Parameters::SmallLabel && double(wrong[m]) > accepted;
   };
   LostNodes lost;
   for (std::size_t n = 0; n < states.size(); ++n)

@@ -19,6 +19,7 @@
 
 #include "base/MakeUnique.h"
 #include "base/Parallel.h"
+#include "surface/SurfaceParameters.h"
 
 #include <algorithm>
 #include <iterator>
@@ -29,8 +30,7 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 1024;
-/** How far to look for a particle's cell; where it is not found, the particle counts as so far away. */
-constexpr double Reach = 1.0;
+constexpr double      Reach = ResidualParameters::Reach;
 
 /** The value that this share of the others is below; reorders them. There has to be one. */
 float

@@ -18,6 +18,7 @@
 #include "surface/SurfaceConnectivity.h"
 
 #include "mesh/TetrahedronQuality.h"
+#include "surface/SurfaceParameters.h"
 
 #include "itkMath.h"
 
@@ -29,10 +30,7 @@ namespace mmm
 {
 namespace
 {
-/** A flip for the sake of valences may leave triangles of this radius ratio, which relaxation improves. */
-constexpr double LeastRadiusRatio = 0.45;
-/** No fan is larger, unless a sheet touches itself. */
-constexpr int LargestFan = 100;
+using Parameters = SurfaceRelaxationParameters;
 } // namespace
 
 SurfaceConnectivity::SurfaceConnectivity(const InterfaceMesh & interfaces, const std::vector<Vector> & points)
@@ -185,7 +183,7 @@ SurfaceConnectivity::AreNeighbours(Id t, int corner, PointId other) const
         at = int(std::find(m_Triangles[current].begin(), m_Triangles[current].end(), point) -
                  m_Triangles[current].begin());
       }
-    } while (current != None && current != t && ++steps < LargestFan);
+    } while (current != None && current != t && ++steps < Parameters::LargestFan);
   }
   return false;
 }
@@ -229,8 +227,9 @@ SurfaceConnectivity::FlipForValence(Id t, int corner, const std::vector<Vector> 
   const Vector first = (points[a] - points[c]).cross(points[d] - points[c]);
   const Vector second = (points[d] - points[c]).cross(points[b] - points[c]);
   if (c == d || first.dot(before) <= 0.0 || second.dot(before) <= 0.0 || first.dot(second) <= 0.0 ||
-      TriangleRadiusRatio(points[c], points[a], points[d]) < LeastRadiusRatio ||
-      TriangleRadiusRatio(points[c], points[d], points[b]) < LeastRadiusRatio || this->AreNeighbours(t, corner, d))
+      TriangleRadiusRatio(points[c], points[a], points[d]) < Parameters::LeastRadiusRatio ||
+      TriangleRadiusRatio(points[c], points[d], points[b]) < Parameters::LeastRadiusRatio ||
+      this->AreNeighbours(t, corner, d))
   {
     return false;
   }

@@ -28,9 +28,6 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 2048;
-/** A tetrahedron is flat if it is all within this distance of an interface, in units of the smallest voxel spacing or
- * of its longest edge where that is shorter: small ones fill passages that are this narrow. */
-constexpr double FlatDistance = 0.25;
 
 /** The centre of the sphere through the corners of a tetrahedron; false if they are in a plane. */
 bool
@@ -88,7 +85,8 @@ private:
   LiesFlat(const TetrahedronSupport & support) const
   {
     return m_Count == 2 && !m_Indicators.IsPlane(m_Common[0]) && !m_Indicators.IsPlane(m_Common[1]) &&
-           support.IsNear(m_Common[0], m_Common[1], FlatDistance * std::min(1.0, this->LongestEdge()));
+           support.IsNear(
+             m_Common[0], m_Common[1], LabellingParameters::FlatDistance * std::min(1.0, this->LongestEdge()));
   }
 
   double

@@ -19,7 +19,9 @@
 
 #include "mesh/Incidence.h"
 #include "base/Parallel.h"
+#include "base/Shortened.h"
 #include "surface/SurfaceConnectivity.h"
+#include "surface/SurfaceParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,8 +31,8 @@ namespace mmm
 namespace
 {
 constexpr std::size_t Grain = 1024;
-constexpr double      LongEdge = 1.45;
-constexpr double      ShortEdge = 0.65;
+
+using Parameters = SurfaceRelaxationParameters;
 
 void
 SweepCentroids(const IndicatorSet &          indicators,
@@ -66,16 +68,11 @@ SweepCentroids(const IndicatorSet &          indicators,
       {
         continue;
       }
-      Vector       step = sum / weights - particles.positions[p];
-      const double length = step.norm();
-      if (length > 0.3 * sizes[p])
-      {
-        step *= 0.3 * sizes[p] / length;
-      }
       Vector       x = particles.positions[p];
+      const Vector step = Shortened(sum / weights - x, Parameters::LongestCentroidMove * sizes[p]);
       const Vector normal = indicators.Normal(cell, x);
       x += step - normal * normal.dot(step);
-      if (indicators.ProjectWhereMaximal(cell, x, 0.5 * sizes[p]))
+      if (indicators.ProjectWhereMaximal(cell, x, Parameters::Reach * sizes[p]))
       {
         next[p] = x;
       }
@@ -106,7 +103,7 @@ CollectOffEdges(const std::vector<Triangle> & triangles,
       const PointId b = std::max(triangle[c], triangle[(c + 1) % 3]);
       const double  length =
         (particles.positions[a] - particles.positions[b]).norm() / (0.5 * (double(sizes[a]) + sizes[b]));
-      if (length > LongEdge || length < ShortEdge)
+      if (length > Parameters::LongEdge || length < Parameters::ShortEdge)
       {
         edges.push_back({ length, a, b });
       }
@@ -164,7 +161,7 @@ AdaptToEdges(const IndicatorSet &          indicators,
     }
     const Cell & cellA = particles.CellOf(edge.a);
     const Cell & cellB = particles.CellOf(edge.b);
-    if (edge.length < ShortEdge)
+    if (edge.length < Parameters::ShortEdge)
     {
       // the one on the surface goes; two on junctions stay
       const PointId gone = cellB.Dimension() == 2 ? edge.b : edge.a;
@@ -183,7 +180,8 @@ AdaptToEdges(const IndicatorSet &          indicators,
     }
     const auto known = std::find(particles.cellTable.begin(), particles.cellTable.end(), surface);
     Vector     x = 0.5 * (particles.positions[edge.a] + particles.positions[edge.b]);
-    if (known != particles.cellTable.end() && indicators.ProjectWhereMaximal(surface, x, 0.5 * sizes[edge.a]))
+    if (known != particles.cellTable.end() &&
+        indicators.ProjectWhereMaximal(surface, x, Parameters::Reach * sizes[edge.a]))
     {
       particles.positions.push_back(x);
       particles.cells.push_back(std::uint32_t(known - particles.cellTable.begin()));

@@ -49,15 +49,14 @@ struct SurfaceParameters
 /** \brief The interfaces: triangles between particles, which all are corners of one.
  *
  * Rounds of labelled Delaunay tetrahedralization and of relaxation of the particles on the triangles between the
- * materials; parts that a round missed are sampled more finely, for which `sizes`, the values of `sizing`, become
- * smaller there. Links are mended, see RepairLinks(). Where the topology is not that of the indicators, particles are
- * added, too; with `keepTopology` in more rounds, and looking more closely. With `compareTopology`, what is left of
- * that goes to the report, in a stage "topology" of its own. */
+ * materials; parts that a round missed are sampled more finely, for which sizes become smaller there. Links are mended,
+ * see RepairLinks(). Where the topology is not that of the indicators, particles are added, too; with `keepTopology` in
+ * more rounds, and looking more closely. With `compareTopology`, what is left of that goes to the report, in a stage
+ * "topology" of its own. */
 InterfaceMesh
 BuildSurface(const IndicatorSet &      indicators,
-             const SizingField &       sizing,
              const SurfaceParameters & parameters,
-             std::vector<float> &      sizes,
+             SizingField &             sizing,
              ParticleSet &             particles,
              Monitor &                 monitor,
              MeshingReport &           report);

@@ -19,6 +19,7 @@
 #define mmmTetrahedronSupport_h
 
 #include "indicators/IndicatorSet.h"
+#include "surface/SurfaceParameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,7 @@ public:
   double
   Of(Material m) const
   {
-    // a thin part of a tetrahedron is to be heard beside a deep one
-    constexpr double Ceiling = 1.0;
+    constexpr double Ceiling = LabellingParameters::LargestSupport;
     double           sum = 0.0;
     for (const Vector & x : m_Samples)
     {

@@ -18,13 +18,21 @@
 #ifndef mmmEulerChanges_h
 #define mmmEulerChanges_h
 
-#include "topology/TopologyDifferences.h"
+#include "image/MaterialImage.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace mmm
 {
+/** By how much the Euler characteristic of what is of a material differs. */
+struct EulerChange
+{
+  Material       material;
+  std::ptrdiff_t change;
+};
+
 /** By material, ascending. */
 using EulerChanges = std::vector<EulerChange>;
 

@@ -20,18 +20,12 @@
 
 #include "indicators/SampleLattice.h"
 #include "mesh/TetrahedralMesh.h"
+#include "topology/EulerChanges.h"
 
 #include <memory>
 
 namespace mmm
 {
-/** By how much the Euler characteristic of what is of a material differs. */
-struct EulerChange
-{
-  Material       material;
-  std::ptrdiff_t change;
-};
-
 /** \brief A place where the topology of a mesh is not that of a partition. */
 struct TopologyDifference
 {
@@ -39,7 +33,7 @@ struct TopologyDifference
   /** The samples at the place that touch one of another material, ascending. */
   std::vector<Index> samples;
   /** What the mesh has more, by material. A component or a cavity more is 1, a tunnel more -1. */
-  std::vector<EulerChange> changes;
+  EulerChanges changes;
 };
 
 struct TopologyDifferences
@@ -49,7 +43,7 @@ struct TopologyDifferences
    * all materials there are 0. */
   std::vector<TopologyDifference> cancelling;
   /** What the partition has more where it is sampled finely enough to see that the mesh is right, by material. */
-  std::vector<EulerChange> betweenSamples;
+  EulerChanges betweenSamples;
 };
 
 class CharacteristicsComparison;

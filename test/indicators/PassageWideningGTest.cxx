@@ -42,28 +42,15 @@ public:
     {
       m_Blocks.push_back(mmm::ComputeSmoothIndicator(image, mmm::Material(m), m_Boxes[m], 0.5));
     }
-    before = this->MakeIndicatorSet();
+    before = std::make_unique<mmm::IndicatorSet>(mmm::MakeIndicatorSet(image.grid, m_Blocks));
     mmm::WidenPassages(image.grid, keepContacts, m_Blocks);
-    after = this->MakeIndicatorSet();
+    after = std::make_unique<mmm::IndicatorSet>(mmm::MakeIndicatorSet(image.grid, m_Blocks));
   }
 
   std::unique_ptr<mmm::IndicatorSet> before;
   std::unique_ptr<mmm::IndicatorSet> after;
 
 private:
-  std::unique_ptr<mmm::IndicatorSet>
-  MakeIndicatorSet() const
-  {
-    std::vector<mmm::IndicatorBricks> bricks;
-    for (const auto & block : m_Blocks)
-    {
-      bricks.emplace_back(m_Image.grid,
-                          mmm::BlockView<const float>{ block.lower, block.size, block.values.data() },
-                          -float(mmm::IndicatorBandWidth));
-    }
-    return std::make_unique<mmm::IndicatorSet>(m_Image.grid, std::move(bricks), -mmm::IndicatorBandWidth);
-  }
-
   const mmm::MaterialImage            m_Image;
   const std::vector<mmm::MaterialBox> m_Boxes;
   std::vector<mmm::Block<float>>      m_Blocks;

@@ -152,8 +152,9 @@ TEST(VolumeCorrection, KeepsInterfacesFurtherAwayFromTheCentresOfTips)
   const Scene      scene(MakeMaterials({ { 15, 15, 15 } }, Vector::Ones(), 2, [&](const Vector & x) {
     return block.Has(x) || (x - Vector(tip[0], tip[1], tip[2])).norm() < 0.5 ? 1 : 0;
   }));
-  ASSERT_EQ(mmm::CentreMarginOf(scene.image, tip), mmm::TipCentreMargin);
-  EXPECT_GT(scene.indicators->InsideOutside(1, scene.image.grid.Position(tip)), 2.0 * mmm::TipCentreMargin - 1e-4);
+  ASSERT_EQ(mmm::CentreMarginOf(scene.image, tip), mmm::SmoothingParameters::TipCentreMargin);
+  EXPECT_GT(scene.indicators->InsideOutside(1, scene.image.grid.Position(tip)),
+            2.0 * mmm::SmoothingParameters::TipCentreMargin - 1e-4);
 }
 
 TEST(VolumeCorrection, KeepsInterfacesAwayFromVoxelCentres)
@@ -164,7 +165,8 @@ TEST(VolumeCorrection, KeepsInterfacesAwayFromVoxelCentres)
   for (std::size_t n = 0; n < image.materials.size(); ++n)
   {
     const Vector x = image.grid.Position(image.grid.IndexAt(n));
-    EXPECT_GT(scene.indicators->InsideOutside(image.materials[n], x), 2.0 * mmm::CentreMargin - 1e-4);
+    EXPECT_GT(scene.indicators->InsideOutside(image.materials[n], x),
+              2.0 * mmm::SmoothingParameters::CentreMargin - 1e-4);
   }
 }
 

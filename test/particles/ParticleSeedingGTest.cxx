@@ -37,6 +37,7 @@ TEST(ParticleSeeding, AroundSamplesGoesToTheBorder)
   const mmmtest::Scene scene(
     mmmtest::MakeMaterials({ { Size, Size, Size } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] < 4.5; }));
   const mmm::SampleLattice lattice(*scene.indicators, 4);
+  const auto               partition = lattice.SamplePartition(2);
   std::vector<Index>       column;
   for (int k = 0; k < lattice.GetSize()[2]; ++k)
   {
@@ -46,7 +47,7 @@ TEST(ParticleSeeding, AroundSamplesGoesToTheBorder)
   mmm::ParticleSet         particles;
   ASSERT_GT(
     mmm::SeedParticlesAround(
-      lattice, lattice.SamplePartition(2), column, mmm::SizingField(scene.image.grid, sizes.data()), -1, 1, particles),
+      mmm::SampleCubes(lattice, partition), column, mmm::SizingField(scene.image.grid, sizes.data()), -1, 1, particles),
     0u);
   for (const double border : { -0.5, Size - 0.5 })
   {

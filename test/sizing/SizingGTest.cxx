@@ -148,3 +148,32 @@ TEST(Sizing, UserSizesAreNotExceeded)
   EXPECT_NEAR(sizes[scene.image.grid.Offset(12, 12, 12)], 0.7f, 1e-5f);
   EXPECT_NEAR(sizes[scene.image.grid.Offset(13, 12, 12)], 1.2f, 1e-4f);
 }
+
+TEST(SizingField, IsLoweredAroundPlacesAndNowhereElse)
+{
+  constexpr float Far = 4.0f;
+  constexpr float Small = 0.5f;
+  mmm::Grid       grid;
+  grid.size = { { 20, 15, 12 } };
+  grid.spacing = Vector(1.0, 1.0, 2.0);
+  const std::vector<float> sizes(grid.NumberOfNodes(), Far);
+  const mmm::SizingField   wanted(grid, sizes.data());
+  mmm::SizingField         lowered = wanted;
+  const Vector             place(3.2, 14.0, 9.0); // at the border
+  lowered.Lower({ place }, Small, 0.5, 4.0);
+  for (std::size_t n = 0; n < grid.NumberOfNodes(); ++n)
+  {
+    const mmm::Index node = grid.IndexAt(n);
+    const Vector     offset = grid.Position(node) - place;
+    const float      around = std::min(Far, float(Small + 0.5 * offset.norm()));
+    EXPECT_EQ(wanted.AtNode(node), Far);
+    if (offset.cwiseAbs().maxCoeff() < 3.0)
+    {
+      EXPECT_EQ(lowered.AtNode(node), around);
+    }
+    else if (offset.cwiseAbs().maxCoeff() > 6.0)
+    {
+      EXPECT_EQ(lowered.AtNode(node), Far);
+    }
+  }
+}

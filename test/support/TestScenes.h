@@ -65,13 +65,7 @@ struct Scene
     {
       mmm::CorrectVolumes(image, blocks);
     }
-    std::vector<mmm::IndicatorBricks> bricks;
-    for (const auto & block : blocks)
-    {
-      const mmm::BlockView<const float> view{ block.lower, block.size, block.values.data() };
-      bricks.emplace_back(image.grid, view, -float(mmm::IndicatorBandWidth));
-    }
-    indicators = std::make_unique<mmm::IndicatorSet>(image.grid, std::move(bricks), -mmm::IndicatorBandWidth);
+    indicators = std::make_unique<mmm::IndicatorSet>(mmm::MakeIndicatorSet(image.grid, blocks));
   }
 };
 

@@ -1,0 +1,34 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmShortened_h
+#define mmmShortened_h
+
+#include "base/Grid.h"
+
+namespace mmm
+{
+/** A vector, or one of its direction that is as long as allowed. */
+inline Vector
+Shortened(const Vector & v, double longest)
+{
+  const double length = v.norm();
+  return length > longest ? Vector(v * (longest / length)) : v;
+}
+} // namespace mmm
+
+#endif

@@ -1,0 +1,40 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmRenumber_h
+#define mmmRenumber_h
+
+#include "mesh/TetrahedralMesh.h"
+
+namespace mmm
+{
+/** Gives the corners of triangles or tetrahedra their new numbers. */
+template <typename TElements>
+void
+Renumber(const std::vector<PointId> & numbers, TElements & elements)
+{
+  for (auto & element : elements)
+  {
+    for (auto & corner : element)
+    {
+      corner = numbers[corner];
+    }
+  }
+}
+} // namespace mmm
+
+#endif

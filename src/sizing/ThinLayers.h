@@ -1,0 +1,34 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmThinLayers_h
+#define mmmThinLayers_h
+
+#include "sizing/InterfaceSamples.h"
+#include "sizing/JunctionTable.h"
+
+namespace mmm
+{
+/** \brief The points of the medial axes in layers that are too thin for the grid: halfway from each interface sample
+ * along its normal, across the material, to the interface on the other side. */
+std::vector<Vector>
+ProbeThinLayers(const IndicatorSet &                 indicators,
+                const JunctionTable &                junctions,
+                const std::vector<InterfaceSample> & samples);
+} // namespace mmm
+
+#endif
