@@ -21,9 +21,12 @@
 #include "MultiMaterialMeshingExport.h"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace mmm
 {
@@ -63,6 +66,14 @@ ParseLabelSizeRules(const std::string & text);
 MultiMaterialMeshing_EXPORT std::string
                             ToText(const LabelSizeRules & rules);
 
+/** What is wrong with a rule, in a sentence that calls its place, such as "label 3", by name; empty if nothing is. */
+MultiMaterialMeshing_EXPORT std::string
+                            DescribeError(const SizeRule & rule, const std::string & place);
+
+/** The edge length that keeps tetrahedra below a volume, in the cube of its unit. */
+MultiMaterialMeshing_EXPORT double
+SizeOfVolume(double volume);
+
 /** \brief What is asked of the edge lengths of a mesh. Lengths are in mm, the unit of the image's spacing. */
 struct SizingOptions
 {
@@ -88,6 +99,53 @@ struct SizingOptions
   bool sizingImageReplaces{ false };
   /** The bounds in the region of interest, which stand in place of all others there; its factor is 1. */
   SizeRule region;
+};
+
+/** \brief How meshes are made once indicators and sizes are known. */
+struct MeshingOptions
+{
+  /** The particles' order of insertion. Another seed gives another mesh of the same kind. */
+  std::uint64_t seed{ 1 };
+  /** Leave out the interior: only the surface is made. */
+  bool surfaceOnly{ false };
+  /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
+   * region, see MeshingReport::topology. */
+  bool compareTopology{ false };
+  /** Meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive, are
+   * refused. */
+  std::size_t maximumNumberOfTetrahedra{ std::numeric_limits<std::size_t>::max() };
+  double      maximumMemory{ std::numeric_limits<double>::infinity() };
+};
+
+/** \brief How a label image is read. Lengths are in mm, the unit of the image's spacing. */
+struct LabelOptions
+{
+  /** Labels that are not meshed. They are one material, which takes the first of them that the image has. */
+  std::vector<int> exteriorLabels{ 0 };
+  /** Mesh the exterior as well, as one label. */
+  bool fillExterior{ false };
+  /** How far the box of what is meshed is to go beyond what is not exterior, not negative; says that the exterior is
+   * filled. Automatic: the box is the image's. */
+  double airMargin{ Automatic };
+  /** Components of a label with fewer voxels go to the neighbor that they touch most; 0 and 1 keep all. */
+  std::size_t minimumIslandSize{ 8 };
+  /** The radius of tightening, which rounds what is smaller, at least 0; 0 keeps the voxels' steps. Automatic: 0.5 of
+   * the smallest voxel spacing. */
+  double radius{ Automatic };
+  /** Keep the indicator images and the sizing image. */
+  bool keepIntermediates{ false };
+};
+
+/** \brief How far the optimizer of labelled tetrahedra may go. */
+struct ImprovementOptions
+{
+  /** How far an interface may leave its place, in the mesh's unit, positive. Automatic: 0.07 of the length of the edges
+   * there. */
+  double tolerance{ Automatic };
+  /** Edges of interfaces at which the normals differ by more are kept; in degrees, within [0, 180]. */
+  double featureAngle{ 40.0 };
+  /** The number of rounds at most; fewer if nothing is changed any more. */
+  int maximumNumberOfRounds{ 10 };
 };
 } // namespace mmm
 

@@ -18,6 +18,7 @@
 #ifndef itkIndicatorImagesToLabelImageFilter_h
 #define itkIndicatorImagesToLabelImageFilter_h
 
+#include "itkIndicatorImageStages.h"
 #include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
@@ -73,7 +74,7 @@ public:
   itkOverrideGetNameOfClassMacro(IndicatorImagesToLabelImageFilter);
 
   itkConceptMacro(ThreeDimensionsCheck, (Concept::SameDimension<TIndicatorImage::ImageDimension, 3>));
-  itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
+  itkConceptMacro(FloatImageCheck, (Concept::Convertible<TIndicatorImage *, Image<float, 3> *>));
   itkConceptMacro(IntegerPixelsCheck, (Concept::IsInteger<typename TLabelImage::PixelType>));
 
   /** The label of each image, by number, distinct. Default: none, which stands for 1, 2, 3 and so on. */
@@ -118,8 +119,9 @@ protected:
   GenerateData() override;
 
 private:
-  std::vector<const TIndicatorImage *>
-  GetIndicatorImages() const;
+  /** The images and their labels. */
+  mmm::IndicatorInputs
+  GetFunctions() const;
 
   bool
   IsExterior(LabelType label) const;
@@ -127,10 +129,6 @@ private:
   /** "Indicator image 2 (gm.nii)", counted from 1. */
   std::string
   NameOf(std::size_t number) const;
-
-  /** Throws if the values cannot be those of an indicator. */
-  void
-  VerifyValues(std::size_t number) const;
 
   LabelsType m_IndicatorLabels;
   LabelsType m_ExteriorLabels{ 0 };

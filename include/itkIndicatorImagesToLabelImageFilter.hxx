@@ -18,14 +18,9 @@
 #ifndef itkIndicatorImagesToLabelImageFilter_hxx
 #define itkIndicatorImagesToLabelImageFilter_hxx
 
-#include "indicators/FunctionIndicators.h"
-#include "itk/GridGeometry.h"
-
 #include "itkPrintHelper.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <set>
 
@@ -83,15 +78,16 @@ IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::IsExteriorImpli
 }
 
 template <typename TIndicatorImage, typename TLabelImage>
-std::vector<const TIndicatorImage *>
-IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::GetIndicatorImages() const
+mmm::IndicatorInputs
+IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::GetFunctions() const
 {
-  std::vector<const TIndicatorImage *> images(this->GetNumberOfIndexedInputs());
-  for (std::size_t n = 0; n < images.size(); ++n)
+  mmm::IndicatorInputs functions;
+  for (ProcessObject::DataObjectPointerArraySizeType n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
   {
-    images[n] = dynamic_cast<const TIndicatorImage *>(this->ProcessObject::GetInput(n));
+    functions.images.push_back(dynamic_cast<const TIndicatorImage *>(this->ProcessObject::GetInput(n)));
   }
-  return images;
+  functions.labels = this->GetUsedLabels();
+  return functions;
 }
 
 template <typename TIndicatorImage, typename TLabelImage>
@@ -108,7 +104,7 @@ void
 IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  const auto images = this->GetIndicatorImages();
+  const auto images = this->GetFunctions().images;
   for (std::size_t n = 0; n < images.size(); ++n)
   {
     if (images[n] == nullptr)
@@ -150,7 +146,7 @@ template <typename TIndicatorImage, typename TLabelImage>
 void
 IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::VerifyInputInformation() const
 {
-  const auto images = this->GetIndicatorImages();
+  const auto images = this->GetFunctions().images;
   const auto region = images[0]->GetLargestPossibleRegion();
   for (std::size_t n = 1; n < images.size(); ++n)
   {
@@ -192,66 +188,19 @@ IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::EnlargeOutputRe
 
 template <typename TIndicatorImage, typename TLabelImage>
 void
-IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::VerifyValues(std::size_t number) const
-{
-  const auto *  image = this->GetIndicatorImages()[number];
-  const float * values = image->GetBufferPointer();
-  const auto    end = values + image->GetBufferedRegion().GetNumberOfPixels();
-  const auto    odd = std::find_if(values, end, [](float value) { return !std::isfinite(value); });
-  if (odd != end)
-  {
-    itkExceptionMacro(<< this->NameOf(number) << " has the value " << *odd << " at the index "
-                      << image->ComputeIndex(odd - values) << ". All values must be finite numbers.");
-  }
-  if (std::all_of(values, end, [values](float value) { return value == *values; }))
-  {
-    itkExceptionMacro(<< this->NameOf(number) << " has the value " << *values
-                      << " everywhere. It must be larger inside its material than outside.");
-  }
-}
-
-template <typename TIndicatorImage, typename TLabelImage>
-void
 IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::GenerateData()
 {
-  using PixelType = typename TLabelImage::PixelType;
+  const auto               functions = this->GetFunctions();
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < functions.images.size(); ++n)
+  {
+    names.push_back(this->NameOf(n));
+  }
+  const auto labels = mmm::LargestFunctions(functions, m_ExteriorLabels, names);
   this->AllocateOutputs();
-  const auto                 images = this->GetIndicatorImages();
-  const auto                 labels = this->GetUsedLabels();
-  const auto                 numberOfVoxels = images[0]->GetBufferedRegion().GetNumberOfPixels();
-  std::vector<const float *> maps;
-  for (std::size_t n = 0; n < images.size(); ++n)
-  {
-    this->VerifyValues(n);
-    maps.push_back(images[n]->GetBufferPointer());
-  }
-
-  auto *             out = this->GetOutput()->GetBufferPointer();
-  std::vector<float> largest(numberOfVoxels, std::numeric_limits<float>::lowest());
-  const auto         take = [&](const float * map, LabelType label) {
-    for (SizeValueType v = 0; v < numberOfVoxels; ++v)
-    {
-      if (map[v] > largest[v])
-      {
-        largest[v] = map[v];
-        out[v] = static_cast<PixelType>(label);
-      }
-    }
-  };
-  if (this->IsExteriorImplicit())
-  {
-    take(mmm::ComputeRemainder(maps, numberOfVoxels).data(), m_ExteriorLabels.front());
-  }
-  for (const bool exterior : { true, false })
-  {
-    for (std::size_t n = 0; n < maps.size(); ++n)
-    {
-      if (this->IsExterior(labels[n]) == exterior)
-      {
-        take(maps[n], labels[n]);
-      }
-    }
-  }
+  std::transform(labels.begin(), labels.end(), this->GetOutput()->GetBufferPointer(), [](LabelType label) {
+    return static_cast<typename TLabelImage::PixelType>(label);
+  });
 }
 
 template <typename TIndicatorImage, typename TLabelImage>

@@ -18,20 +18,12 @@
 #ifndef itkIndicatorImagesToMeshFilter_h
 #define itkIndicatorImagesToMeshFilter_h
 
-#include "itkMultiMaterialMeshTypes.h"
-#include "itk/FilterMonitor.h"
-#include "itk/GridGeometry.h"
-#include "itkMultiMaterialMeshCompatibility.h"
-#include "itk/InterfaceLabels.h"
-#include "pipeline/Mesher.h"
-#include "sizing/MeshEstimate.h"
+#include "itkMeshingFilter.h"
 
 #include "itkConceptChecking.h"
 #include "itkImage.h"
 #include "itkImageToMeshFilter.h"
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 namespace itk
@@ -77,13 +69,14 @@ namespace itk
  * \ingroup MultiMaterialMeshing
  */
 template <typename TIndicatorImage, typename TOutputMesh = LabelTetrahedralMesh>
-class ITK_TEMPLATE_EXPORT IndicatorImagesToMeshFilter : public ImageToMeshFilter<TIndicatorImage, TOutputMesh>
+class ITK_TEMPLATE_EXPORT IndicatorImagesToMeshFilter
+  : public MeshingFilter<ImageToMeshFilter<TIndicatorImage, TOutputMesh>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(IndicatorImagesToMeshFilter);
 
   using Self = IndicatorImagesToMeshFilter;
-  using Superclass = ImageToMeshFilter<TIndicatorImage, TOutputMesh>;
+  using Superclass = MeshingFilter<ImageToMeshFilter<TIndicatorImage, TOutputMesh>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
@@ -91,19 +84,15 @@ public:
   using SizingImageType = Image<float, 3>;
   using ReferenceImageType = ImageBase<3>;
   using OutputMeshType = TOutputMesh;
-  using SurfaceMeshType = LabelInterfaceMesh;
-  using ParticleMeshType = LabelParticleMesh;
-  using JunctionMeshType = LabelJunctionMesh;
-  using LabelType = int;
-  using LabelsType = std::vector<LabelType>;
-  using StageRecordsType = std::vector<mmm::StageRecord>;
+  using typename Superclass::LabelType;
+  using typename Superclass::LabelsType;
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(IndicatorImagesToMeshFilter);
 
   itkConceptMacro(ThreeDimensionsCheck, (Concept::SameDimension<TIndicatorImage::ImageDimension, 3>));
   itkConceptMacro(PointDimensionCheck, (Concept::SameDimension<TOutputMesh::PointDimension, 3>));
-  itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
+  itkConceptMacro(FloatImageCheck, (Concept::Convertible<TIndicatorImage *, Image<float, 3> *>));
   itkConceptMacro(LabelConvertibleCheck, (Concept::Convertible<LabelType, typename TOutputMesh::CellPixelType>));
 
   /** The label of each indicator image, by number. They must be distinct. No default. */
@@ -120,35 +109,11 @@ public:
   itkSetMacro(OutsideLabel, LabelType);
   itkGetConstMacro(OutsideLabel, LabelType);
 
-  /** The particles' order of insertion. Another seed gives another mesh of the same kind. Default: 1. */
-  itkSetMacro(Seed, std::uint64_t);
-  itkGetConstMacro(Seed, std::uint64_t);
-
-  /** Leave out the interior: GetOutput() remains empty, and the surface, whose triangles are a little poorer, takes
-   * about half the time. Default: false. */
-  itkSetMacro(SurfaceOnly, bool);
-  itkGetConstMacro(SurfaceOnly, bool);
-  itkBooleanMacro(SurfaceOnly);
-
   /** Sample the interfaces more finely until each label is connected as its indicator says, as far as possible.
    * Otherwise that is done once only. Default: false. */
   itkSetMacro(KeepTopology, bool);
   itkGetConstMacro(KeepTopology, bool);
   itkBooleanMacro(KeepTopology);
-
-  /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
-   * region, see MeshingReport::topology. Default: false. */
-  itkSetMacro(CompareTopology, bool);
-  itkGetConstMacro(CompareTopology, bool);
-  itkBooleanMacro(CompareTopology);
-
-  /** Refuse meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive,
-   * before the long stages begin: Update() throws an ExceptionObject that says which smallest size would do. See
-   * MeshingReport::estimate. Defaults: no limit. */
-  itkSetMacro(MaximumNumberOfTetrahedra, SizeValueType);
-  itkGetConstMacro(MaximumNumberOfTetrahedra, SizeValueType);
-  itkSetMacro(MaximumMemory, double);
-  itkGetConstMacro(MaximumMemory, double);
 
   /** The input "SizingImage". */
   void
@@ -161,43 +126,12 @@ public:
   itkSetConstObjectMacro(ReferenceImage, ReferenceImageType);
   itkGetConstObjectMacro(ReferenceImage, ReferenceImageType);
 
-  SurfaceMeshType *
-  GetSurface();
-  ParticleMeshType *
-  GetParticles();
-  JunctionMeshType *
-  GetJunctions();
-
   /** The label that the outside has in the outputs, known after Update(). */
-  itkGetConstMacro(UsedOutsideLabel, LabelType);
-
-  /** Counts of the particles and how their relaxation went, known after Update(). */
-  itkGetConstReferenceMacro(Report, mmm::MeshingReport);
-
-  /** The stages that ended, in their order. */
-  const StageRecordsType &
-  GetStageRecords() const
+  LabelType
+  GetUsedOutsideLabel() const
   {
-    return m_StageLog.records;
+    return this->m_State.outsideLabel;
   }
-
-  /** The stage that is running or ran last, and how much of it is done, in [0, 1]; for observers of ProgressEvent. */
-  const std::string &
-  GetCurrentStage() const
-  {
-    return m_StageLog.current;
-  }
-  float
-  GetStageProgress() const
-  {
-    return m_StageLog.progress;
-  }
-
-  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(), 3 is GetJunctions(). */
-  using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
-  using Superclass::MakeOutput;
-  DataObject::Pointer
-  MakeOutput(DataObjectPointerArraySizeType index) override;
 
 protected:
   IndicatorImagesToMeshFilter();
@@ -213,46 +147,17 @@ protected:
   VerifyInputInformation() const override;
 
   void
-  GenerateInputRequestedRegion() override;
-
-  void
-  GenerateOutputRequestedRegion(DataObject * output) override;
-
-  void
   GenerateData() override;
 
 private:
-  std::vector<const TIndicatorImage *>
-  GetIndicatorImages() const;
-
-  /** Throws if a limit would be passed; `unit` is that of the sizes, in mm. */
-  void
-  VerifyEstimate(const mmm::MeshEstimator & estimator, double unit) const;
-
-  void
-  FillSurfaceAndParticles(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
-
-  void
-  FillJunctions(const mmm::MeshingResult &   result,
-                const mmm::GridGeometry &    geometry,
-                const mmm::InterfaceLabels & labels);
-
-  void
-  FillTetrahedra(const mmm::MeshingResult & result, const mmm::GridGeometry & geometry);
+  mmm::MeshingInputs
+  GetInputs() const;
 
   LabelsType                                m_Labels;
   int                                       m_ExteriorIndex{ -1 };
   LabelType                                 m_OutsideLabel{ 0 };
-  std::uint64_t                             m_Seed{ 1 };
-  bool                                      m_SurfaceOnly{ false };
   bool                                      m_KeepTopology{ false };
-  bool                                      m_CompareTopology{ false };
-  SizeValueType                             m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
-  double                                    m_MaximumMemory{ std::numeric_limits<double>::infinity() };
   typename ReferenceImageType::ConstPointer m_ReferenceImage;
-  LabelType                                 m_UsedOutsideLabel{ 0 };
-  mmm::MeshingReport                        m_Report;
-  mmm::StageLog                             m_StageLog;
 };
 } // namespace itk
 

@@ -18,55 +18,13 @@
 #ifndef itkIndicatorImagesToSizingImageFilter_hxx
 #define itkIndicatorImagesToSizingImageFilter_hxx
 
-#include "itk/FilterMonitor.h"
-#include "itk/IndicatorImages.h"
-#include "base/OutOfMemory.h"
-#include "itk/SizingImage.h"
-
 #include "itkPrintHelper.h"
 
-#include <algorithm>
-#include <new>
 #include <numeric>
 #include <string>
 
 namespace itk
 {
-template <typename TIndicatorImage, typename TSizingImage>
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::IndicatorImagesToSizingImageFilter()
-{
-  this->AddOptionalInputName("SizingImage");
-  this->AddOptionalInputName("RegionOfInterest");
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-void
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetSizingImage(const TSizingImage * image)
-{
-  this->ProcessObject::SetInput("SizingImage", const_cast<TSizingImage *>(image));
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-const TSizingImage *
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetSizingImage() const
-{
-  return dynamic_cast<const TSizingImage *>(this->ProcessObject::GetInput("SizingImage"));
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-void
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetRegionOfInterest(const MaskImageType * mask)
-{
-  this->ProcessObject::SetInput("RegionOfInterest", const_cast<MaskImageType *>(mask));
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-auto
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetRegionOfInterest() const -> const MaskImageType *
-{
-  return dynamic_cast<const MaskImageType *>(this->ProcessObject::GetInput("RegionOfInterest"));
-}
-
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabels(const LabelsType & labels)
@@ -79,60 +37,22 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabels(con
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
-void
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabelSizes(const LabelSizesType & sizes)
+mmm::IndicatorInputs
+IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetIndicatorInputs() const
 {
-  m_LabelSizes = sizes;
-  this->Modified();
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-void
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::SetLabelSizes(const std::string & text)
-{
-  this->SetLabelSizes(mmm::ParseLabelSizeRules(text));
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-mmm::SizingOptions
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetOptions() const
-{
-  mmm::SizingOptions options;
-  options.epsilon = m_Epsilon;
-  options.chordTolerance = m_ChordTolerance;
-  options.gradientLimit = m_GradientLimit;
-  options.minimumSize = m_MinimumSize;
-  options.maximumSize = m_MaximumSize;
-  options.maximumVolume = m_MaximumVolume;
-  options.labelSizes = m_LabelSizes;
-  options.region.minimumSize = m_RegionMinimumSize;
-  options.region.maximumSize = m_RegionMaximumSize;
-  return options;
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-auto
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetInputLabels() const -> LabelsType
-{
-  LabelsType labels = m_Labels;
-  if (labels.empty())
+  mmm::IndicatorInputs inputs;
+  for (unsigned int n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
   {
-    labels.resize(this->GetNumberOfIndexedInputs());
-    std::iota(labels.begin(), labels.end(), 0);
+    inputs.images.push_back(this->GetInput(n));
   }
-  return labels;
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-std::vector<const TIndicatorImage *>
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GetIndicatorImages() const
-{
-  std::vector<const TIndicatorImage *> images(this->GetNumberOfIndexedInputs());
-  for (std::size_t n = 0; n < images.size(); ++n)
+  inputs.labels = m_Labels;
+  if (m_Labels.empty())
   {
-    images[n] = this->GetInput(static_cast<unsigned int>(n));
+    inputs.labels.resize(inputs.images.size());
+    std::iota(inputs.labels.begin(), inputs.labels.end(), 0);
   }
-  return images;
+  inputs.exterior = m_ExteriorIndex;
+  return inputs;
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
@@ -140,38 +60,10 @@ void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyPreconditions() const
 {
   Superclass::VerifyPreconditions();
-  const auto images = this->GetIndicatorImages();
-  for (std::size_t n = 0; n < images.size(); ++n)
+  const std::string error = mmm::DescribeError(this->GetIndicatorInputs(), this->GetSizingInputs());
+  if (!error.empty())
   {
-    if (images[n] == nullptr)
-    {
-      itkExceptionMacro("Input " << n << " of " << images.size() << " is missing.");
-    }
-  }
-  if (m_ExteriorIndex < -1 || m_ExteriorIndex >= static_cast<int>(images.size()))
-  {
-    itkExceptionMacro("ExteriorIndex is " << m_ExteriorIndex << ", but there are " << images.size()
-                                          << " indicator images.");
-  }
-  if (m_ExteriorIndex == 0 && images.size() == 1)
-  {
-    itkExceptionMacro("There is nothing but exterior.");
-  }
-  if (!m_Labels.empty() && m_Labels.size() != images.size())
-  {
-    itkExceptionMacro("There are " << m_Labels.size() << " labels for " << images.size() << " indicator images.");
-  }
-  if (m_SizingImageReplaces && this->GetSizingImage() == nullptr)
-  {
-    itkExceptionMacro("There is no sizing image to stand in place of the computed sizes.");
-  }
-  for (const std::string & error : { mmm::DescribeError(this->GetOptions(), this->GetRegionOfInterest() != nullptr),
-                                     mmm::DescribeUnknownLabels(m_LabelSizes, this->GetInputLabels()) })
-  {
-    if (!error.empty())
-    {
-      itkExceptionMacro(<< error);
-    }
+    itkExceptionMacro(<< error);
   }
 }
 
@@ -180,20 +72,10 @@ void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::VerifyInputInformation() const
 {
   Superclass::VerifyInputInformation();
-  const mmm::IndicatorImages<TIndicatorImage> indicators(this->GetIndicatorImages());
-  const TSizingImage *                        sizes = this->GetSizingImage();
-  if (sizes && sizes->GetLargestPossibleRegion() != indicators.GetRegion())
+  const std::string error = mmm::DescribeGeometryError(this->GetIndicatorInputs(), this->GetSizingInputs());
+  if (!error.empty())
   {
-    itkExceptionMacro("The sizing image covers " << sizes->GetLargestPossibleRegion()
-                                                 << " and the indicator images together " << indicators.GetRegion()
-                                                 << ". They must be the same.");
-  }
-  const MaskImageType * mask = this->GetRegionOfInterest();
-  if (mask && mask->GetLargestPossibleRegion() != indicators.GetRegion())
-  {
-    itkExceptionMacro("The region of interest covers " << mask->GetLargestPossibleRegion()
-                                                       << " and the indicator images together "
-                                                       << indicators.GetRegion() << ". They must be the same.");
+    itkExceptionMacro(<< error);
   }
 }
 
@@ -202,8 +84,7 @@ void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateOutputInformation()
 {
   Superclass::GenerateOutputInformation();
-  this->GetOutput()->SetLargestPossibleRegion(
-    mmm::IndicatorImages<TIndicatorImage>(this->GetIndicatorImages()).GetRegion());
+  this->GetOutput()->SetLargestPossibleRegion(mmm::UnionOfRegions(this->GetIndicatorInputs().images));
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
@@ -231,64 +112,9 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateInput
 template <typename TIndicatorImage, typename TSizingImage>
 void
 IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::GenerateData()
-try
 {
-  this->AllocateOutputs();
-  const mmm::IndicatorImages<TIndicatorImage> images(this->GetIndicatorImages());
-  const mmm::GridGeometry &                   geometry = images.GetGeometry();
-
-  mmm::StageLog      log;
-  mmm::FilterMonitor monitor(this, log, { { "sizing", 1.0 } });
-  monitor.BeginStage("sizing");
-  const mmm::IndicatorSet indicators = images.MakeIndicatorSet();
-  const auto              sizing = mmm::ComputeSizing(indicators,
-                                         m_ExteriorIndex,
-                                         mmm::ToGridUnit(this->GetOptions(), geometry),
-                                         this->MakeControl(geometry, indicators),
-                                         monitor);
-
-  using SizeType = typename TSizingImage::PixelType;
-  std::transform(sizing.begin(), sizing.end(), this->GetOutput()->GetBufferPointer(), [&](float size) {
-    return static_cast<SizeType>(size * geometry.GetUnit());
-  });
-}
-catch (const std::bad_alloc &)
-{
-  mmm::ThrowOutOfMemory(std::string(this->GetNameOfClass()));
-}
-
-template <typename TIndicatorImage, typename TSizingImage>
-mmm::SizingControl
-IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::MakeControl(
-  const mmm::GridGeometry & geometry,
-  const mmm::IndicatorSet & indicators) const
-{
-  mmm::SizingControl control;
-  if (const auto * sizes = this->GetSizingImage())
-  {
-    control.image = mmm::ReadSizingImage(sizes, geometry);
-    control.imageReplaces = m_SizingImageReplaces;
-  }
-  const auto options = this->GetOptions();
-  if (const auto * mask = this->GetRegionOfInterest())
-  {
-    control.region = mmm::ReadMask(mask);
-    control.regionRule = mmm::ToGridUnit(options.region, geometry);
-    if (!mmm::IsInMaterials(control.region, indicators, m_ExteriorIndex))
-    {
-      itkExceptionMacro("No voxel of the region of interest is in what is meshed.");
-    }
-  }
-  if (!m_LabelSizes.empty())
-  {
-    for (const auto label : this->GetInputLabels())
-    {
-      const auto rule = m_LabelSizes.find(label);
-      control.materials.push_back(rule == m_LabelSizes.end() ? mmm::SizeRule()
-                                                             : mmm::ToGridUnit(rule->second, geometry));
-    }
-  }
-  return control;
+  const auto sizes = mmm::ComputeSizingImage(this, this->GetIndicatorInputs(), this->GetSizingInputs());
+  FromFloats(sizes.GetPointer(), this->GetOutput());
 }
 
 template <typename TIndicatorImage, typename TSizingImage>
@@ -297,17 +123,7 @@ IndicatorImagesToSizingImageFilter<TIndicatorImage, TSizingImage>::PrintSelf(std
 {
   using namespace print_helper;
   Superclass::PrintSelf(os, indent);
-  os << indent << "Epsilon: " << m_Epsilon << std::endl;
-  os << indent << "ChordTolerance: " << m_ChordTolerance << std::endl;
-  os << indent << "GradientLimit: " << m_GradientLimit << std::endl;
-  os << indent << "MinimumSize: " << m_MinimumSize << std::endl;
-  os << indent << "MaximumSize: " << m_MaximumSize << std::endl;
-  os << indent << "MaximumVolume: " << m_MaximumVolume << std::endl;
   os << indent << "Labels: " << m_Labels << std::endl;
-  os << indent << "LabelSizes: " << mmm::ToText(m_LabelSizes) << std::endl;
-  os << indent << "SizingImageReplaces: " << (m_SizingImageReplaces ? "On" : "Off") << std::endl;
-  os << indent << "RegionMinimumSize: " << m_RegionMinimumSize << std::endl;
-  os << indent << "RegionMaximumSize: " << m_RegionMaximumSize << std::endl;
   os << indent << "ExteriorIndex: " << m_ExteriorIndex << std::endl;
 }
 } // namespace itk

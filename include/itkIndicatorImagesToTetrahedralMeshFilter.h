@@ -91,10 +91,8 @@ protected:
   IndicatorImagesToTetrahedralMeshFilter();
   ~IndicatorImagesToTetrahedralMeshFilter() override = default;
 
-  typename Superclass::IndicatorImagesType
-  ComputeIndicators(const LabelImageType *    labels,
-                    const mmm::GridGeometry & geometry,
-                    mmm::FilterMonitor &      monitor) override;
+  mmm::IndicatorInputs
+  GetFunctions() const override;
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;

@@ -18,9 +18,6 @@
 #ifndef itkIndicatorImagesToTetrahedralMeshFilter_hxx
 #define itkIndicatorImagesToTetrahedralMeshFilter_hxx
 
-#include "indicators/FunctionIndicators.h"
-
-#include <algorithm>
 #include <cmath>
 
 namespace itk
@@ -71,68 +68,16 @@ IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPrec
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>
-auto
-IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::ComputeIndicators(const LabelImageType * labels,
-                                                                                        const mmm::GridGeometry &,
-                                                                                        mmm::FilterMonitor & monitor) ->
-  typename Superclass::IndicatorImagesType
+mmm::IndicatorInputs
+IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::GetFunctions() const
 {
-  const auto &                            present = this->GetLabels();
-  const auto &                            exterior = this->GetExteriorLabels();
-  std::vector<std::vector<const float *>> functions(present.size());
-  const auto                              functionsOf = [&](LabelType label) -> std::vector<const float *> * {
-    // all exterior labels have become the one that is present
-    const bool isExterior = std::find(exterior.begin(), exterior.end(), label) != exterior.end();
-    const auto place = std::find_if(present.begin(), present.end(), [&](LabelType other) {
-      return other == label || (isExterior && std::find(exterior.begin(), exterior.end(), other) != exterior.end());
-    });
-    return place == present.end() ? nullptr : &functions[place - present.begin()];
-  };
-
-  const auto                 mapLabels = m_LabelFilter->GetUsedLabels();
-  std::vector<const float *> maps;
-  for (std::size_t n = 0; n < mapLabels.size(); ++n)
+  mmm::IndicatorInputs functions;
+  functions.labels = m_LabelFilter->GetUsedLabels();
+  for (unsigned int n = 0; n < functions.labels.size(); ++n)
   {
-    const TIndicatorImage * map = m_LabelFilter->GetInput(static_cast<unsigned int>(n));
-    maps.push_back(map->GetBufferPointer());
-    if (auto * const list = functionsOf(mapLabels[n]))
-    {
-      list->push_back(maps.back());
-    }
+    functions.images.push_back(m_LabelFilter->GetInput(n));
   }
-  std::vector<float> remainder;
-  if (m_LabelFilter->IsExteriorImplicit())
-  {
-    remainder = mmm::ComputeRemainder(maps, labels->GetBufferedRegion().GetNumberOfPixels());
-    if (auto * const list = functionsOf(exterior.front()))
-    {
-      list->push_back(remainder.data());
-    }
-  }
-
-  const auto                    materials = mmm::MakeMaterialImage(labels, present);
-  const auto                    boxes = mmm::ComputeMaterialBoxes(materials);
-  const mmm::FunctionIndicators indicators(materials, std::move(functions));
-  using ImageType = typename Superclass::IndicatorImageType;
-  typename Superclass::IndicatorImagesType images;
-  for (std::size_t m = 0; m < present.size(); ++m)
-  {
-    const auto                     block = indicators.Compute(static_cast<mmm::Material>(m), boxes[m]);
-    const auto                     image = ImageType::New();
-    typename ImageType::RegionType region;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      region.SetIndex(axis, block.lower[axis]);
-      region.SetSize(axis, static_cast<SizeValueType>(block.size[axis]));
-    }
-    image->CopyInformation(labels);
-    image->SetRegions(region);
-    image->Allocate();
-    std::copy(block.values.begin(), block.values.end(), image->GetBufferPointer());
-    images.push_back(image);
-    monitor.Report(static_cast<double>(m + 1) / present.size());
-  }
-  return images;
+  return functions;
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

@@ -18,8 +18,8 @@
 #ifndef itkLabelImageToIndicatorImagesFilter_h
 #define itkLabelImageToIndicatorImagesFilter_h
 
-#include "itk/FilterMonitor.h"
-#include "indicators/IndicatorSmoothing.h"
+#include "itkImageConversion.h"
+#include "itkLabelImageStages.h"
 #include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
@@ -49,9 +49,12 @@ namespace itk
  * There are as many outputs as the image has labels, in the labels' order, all with the origin, spacing and direction
  * of the input. Output n, the indicator of GetLabels()[n], covers the label's bounding box and the band around it, so
  * its largest possible region need not start at index 0; beyond it the indicator is -GetBandWidth(). With CropToBand
- * off, all outputs cover the whole image. Their number and regions follow from the input's pixels:
- * UpdateOutputInformation() therefore brings the input up to date, and outputs beyond the first exist after it (or
- * Update()) only.
+ * off, all outputs cover the whole image.
+ *
+ * The number of outputs and their regions follow from the input's pixels, which are read by Update(): outputs beyond
+ * the first exist after it only. What filters are connected to the outputs have to know their regions: update this
+ * filter first, or switch CropToBand off. Before it has run, and when its input has changed since, the outputs are said
+ * to cover the whole image.
  *
  * Labels are whole numbers in the range of `int`. An image that has only one, or more than 65,530, gives an
  * ExceptionObject. The result does not depend on the number of threads.
@@ -86,7 +89,7 @@ public:
   itkConceptMacro(SameDimensionCheck,
                   (Concept::SameDimension<TLabelImage::ImageDimension, TIndicatorImage::ImageDimension>));
   itkConceptMacro(IntegerPixelsCheck, (Concept::IsInteger<typename TLabelImage::PixelType>));
-  itkConceptMacro(FloatPixelsCheck, (Concept::SameType<typename TIndicatorImage::PixelType, float>));
+  itkConceptMacro(FloatImageCheck, (Concept::Convertible<TIndicatorImage *, Image<float, 3> *>));
 
   /** The value of a length that follows the image's smallest voxel spacing. It is not a number: test with std::isnan().
    */
@@ -109,7 +112,7 @@ public:
   itkGetConstMacro(CropToBand, bool);
   itkBooleanMacro(CropToBand);
 
-  /** The labels of the image, sorted; known after UpdateOutputInformation(). */
+  /** The labels of the image, sorted; known after Update(). */
   itkGetConstReferenceMacro(Labels, LabelsType);
 
   /** The largest magnitude of the values, 3 times the smallest voxel spacing, in mm; known after
@@ -146,22 +149,15 @@ protected:
   GenerateData() override;
 
 private:
-  void
-  ReadInput();
-
-  /** The values of a block, times the grid's unit, into an output that covers it. */
-  void
-  FillOutput(const mmm::Block<float> & block, double unit, TIndicatorImage * output) const;
-
   double     m_Radius{ Automatic };
   bool       m_KeepContacts{ false };
   bool       m_CropToBand{ true };
   LabelsType m_Labels;
   double     m_BandWidth{ 0.0 };
 
-  /** Read with the output information, used up with the data. */
-  mmm::MaterialImage            m_Materials;
-  std::vector<mmm::MaterialBox> m_Boxes;
+  /** Of the labels, where they are cropped, and when they were found. */
+  std::vector<RegionType> m_Regions;
+  TimeStamp               m_RegionsTime;
 };
 } // namespace itk
 

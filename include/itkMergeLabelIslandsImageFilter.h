@@ -18,7 +18,8 @@
 #ifndef itkMergeLabelIslandsImageFilter_h
 #define itkMergeLabelIslandsImageFilter_h
 
-#include "MultiMaterialMeshingReports.h"
+#include "itkImageConversion.h"
+#include "itkLabelImageStages.h"
 #include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkConceptChecking.h"
@@ -102,13 +103,6 @@ protected:
   GenerateData() override;
 
 private:
-  /** Counts the voxels of each label and writes the input to the output, exterior labels merged. */
-  void
-  MergeExteriorLabels();
-
-  void
-  MergeSmallComponents();
-
   LabelsType    m_ExteriorLabels{ 0 };
   SizeValueType m_MinimumIslandSize{ 8 };
   RecordsType   m_Records;

@@ -18,44 +18,11 @@
 #ifndef itkMergeLabelIslandsImageFilter_hxx
 #define itkMergeLabelIslandsImageFilter_hxx
 
-#include "image/Islands.h"
-#include "itk/Labels.h"
-
-#include "itkConnectedComponentFunctorImageFilter.h"
+#include "itkImageAlgorithm.h"
 #include "itkPrintHelper.h"
-#include "itkProgressAccumulator.h"
-
-#include <algorithm>
-#include <cstdint>
-#include <set>
 
 namespace itk
 {
-namespace Functor
-{
-/** Whether two voxels have the same label. Functor::SimilarPixelsFunctor computes a difference, which overflows. */
-template <typename TLabel>
-class SameLabel
-{
-public:
-  bool
-  operator==(const SameLabel &) const
-  {
-    return true;
-  }
-  bool
-  operator!=(const SameLabel &) const
-  {
-    return false;
-  }
-  bool
-  operator()(const TLabel & a, const TLabel & b) const
-  {
-    return a == b;
-  }
-};
-} // namespace Functor
-
 template <typename TLabelImage>
 void
 MergeLabelIslandsImageFilter<TLabelImage>::SetExteriorLabels(const LabelsType & labels)
@@ -90,87 +57,11 @@ template <typename TLabelImage>
 void
 MergeLabelIslandsImageFilter<TLabelImage>::GenerateData()
 {
-  m_Records.clear();
-  m_AbsentExteriorLabels.clear();
+  const auto labels = CopyToIntegers(this->GetInput());
+  mmm::MergeLabelIslands(this, m_ExteriorLabels, m_MinimumIslandSize, labels, m_Records, m_AbsentExteriorLabels);
   this->AllocateOutputs();
-  this->MergeExteriorLabels();
-  if (m_MinimumIslandSize > 1)
-  {
-    this->MergeSmallComponents();
-  }
-  mmm::ForEachRun(this->GetOutput(), [this](int label, std::size_t count) { m_Records[label].voxelsAfter += count; });
-}
-
-template <typename TLabelImage>
-void
-MergeLabelIslandsImageFilter<TLabelImage>::MergeExteriorLabels()
-{
-  for (const auto & entry : mmm::CountLabels(this->GetInput()))
-  {
-    m_Records[entry.first].voxelsBefore = entry.second;
-  }
-  LabelsType present;
-  for (const auto label : m_ExteriorLabels)
-  {
-    (m_Records.count(label) ? present : m_AbsentExteriorLabels).push_back(label);
-  }
-  const std::set<LabelType> merged(present.begin(), present.end());
-  auto *                    out = this->GetOutput()->GetBufferPointer();
-  mmm::ForEachRun(this->GetInput(), [&](int label, std::size_t count) {
-    const LabelType newLabel = merged.count(label) ? present.front() : label;
-    out = std::fill_n(out, count, static_cast<typename TLabelImage::PixelType>(newLabel));
-  });
-}
-
-template <typename TLabelImage>
-void
-MergeLabelIslandsImageFilter<TLabelImage>::MergeSmallComponents()
-{
-  using NumberImageType = Image<std::uint32_t, 3>;
-  using PixelType = typename TLabelImage::PixelType;
-  using ComponentFilterType =
-    ConnectedComponentFunctorImageFilter<TLabelImage, NumberImageType, Functor::SameLabel<PixelType>>;
-
-  // a copy that is not connected to this filter, with the same pixels
-  TLabelImage * output = this->GetOutput();
-  const auto    merged = TLabelImage::New();
-  merged->Graft(output);
-
-  const auto progress = ProgressAccumulator::New();
-  progress->SetMiniPipelineFilter(this);
-  const auto componentFilter = ComponentFilterType::New();
-  componentFilter->SetInput(merged);
-  progress->RegisterInternalFilter(componentFilter, 1.0f);
-  componentFilter->Update();
-  const auto * numbers = componentFilter->GetOutput()->GetBufferPointer();
-  const auto   voxels = output->GetLargestPossibleRegion().GetNumberOfPixels();
-
-  std::vector<mmm::LabelComponent> components(std::size_t(*std::max_element(numbers, numbers + voxels)) + 1);
-  auto *                           pixels = output->GetBufferPointer();
-  for (SizeValueType voxel = 0; voxel < voxels; ++voxel)
-  {
-    auto & component = components[numbers[voxel]];
-    component.label = static_cast<int>(pixels[voxel]);
-    ++component.voxels;
-  }
-  const auto &     size = output->GetLargestPossibleRegion().GetSize();
-  const mmm::Index gridSize{ { static_cast<int>(size[0]), static_cast<int>(size[1]), static_cast<int>(size[2]) } };
-  const auto       labels = mmm::MergeIslands(gridSize, numbers, components, m_MinimumIslandSize);
-
-  for (std::size_t c = 0; c < components.size(); ++c)
-  {
-    if (labels[c] != components[c].label)
-    {
-      auto & record = m_Records[components[c].label];
-      ++record.components;
-      record.voxels += components[c].voxels;
-      record.destinations[labels[c]] += components[c].voxels;
-    }
-  }
-  for (SizeValueType voxel = 0; voxel < voxels; ++voxel)
-  {
-    pixels[voxel] = static_cast<PixelType>(labels[numbers[voxel]]);
-  }
+  const auto & region = labels->GetBufferedRegion();
+  ImageAlgorithm::Copy(labels.GetPointer(), this->GetOutput(), region, region);
 }
 
 template <typename TLabelImage>

@@ -20,8 +20,8 @@
 
 #include "itkMeshToMeshFilter.h"
 #include "itkMultiMaterialMeshTypes.h"
-#include "itk/FilterMonitor.h"
-#include "optimize/MeshImprovement.h"
+#include "itkMultiMaterialMeshCompatibility.h"
+#include "itkTetrahedronStages.h"
 
 #include <limits>
 
@@ -91,9 +91,17 @@ public:
   /** What follows is known after Update(). */
 
   /** The largest tolerance that was used. */
-  itkGetConstMacro(LargestTolerance, double);
+  double
+  GetLargestTolerance() const
+  {
+    return m_Results.largestTolerance;
+  }
   /** What was done. */
-  itkGetConstReferenceMacro(Report, mmm::OptimizationReport);
+  const mmm::OptimizationReport &
+  GetReport() const
+  {
+    return m_Results.report;
+  }
   /** Cells of lower dimension, which were left out. */
   itkGetConstMacro(NumberOfCellsLeftOut, SizeValueType);
 
@@ -114,11 +122,9 @@ private:
   double        m_Tolerance{ Automatic };
   double        m_FeatureAngle{ 40.0 };
   int           m_MaximumNumberOfRounds{ 10 };
-  double        m_LargestTolerance{ 0.0 };
   SizeValueType m_NumberOfCellsLeftOut{ 0 };
 
-  mmm::OptimizationReport m_Report;
-  mmm::StageLog           m_StageLog;
+  mmm::ImprovementResults m_Results;
 };
 } // namespace itk
 

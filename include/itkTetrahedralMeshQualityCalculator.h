@@ -18,10 +18,12 @@
 #ifndef itkTetrahedralMeshQualityCalculator_h
 #define itkTetrahedralMeshQualityCalculator_h
 
+#include "itkMultiMaterialMeshCompatibility.h"
+#include "itkTetrahedronStages.h"
+
 #include "itkNumericTraits.h"
 #include "itkObject.h"
 #include "itkObjectFactory.h"
-#include "quality/MeshQuality.h"
 
 namespace itk
 {
@@ -61,11 +63,7 @@ public:
   static_assert(MeshType::PointDimension == 3, "Tetrahedra need points of three dimensions.");
 
   itkNewMacro(Self);
-#ifdef itkOverrideGetNameOfClassMacro
   itkOverrideGetNameOfClassMacro(TetrahedralMeshQualityCalculator);
-#else
-  itkTypeMacro(TetrahedralMeshQualityCalculator, Object);
-#endif
 
   /** The mesh to measure. */
   itkSetConstObjectMacro(Mesh, MeshType);

@@ -18,10 +18,6 @@
 #ifndef itkTetrahedralMeshQualityCalculator_hxx
 #define itkTetrahedralMeshQualityCalculator_hxx
 
-#include "itk/TetrahedraOfMesh.h"
-
-#include <stdexcept>
-
 namespace itk
 {
 template <typename TMesh>
@@ -33,8 +29,8 @@ TetrahedralMeshQualityCalculator<TMesh>::Compute()
   {
     itkExceptionMacro(<< "There is no mesh to measure.");
   }
-  using Tetrahedra = mmm::TetrahedraOfMesh<MeshType>;
-  const Tetrahedra mesh(m_Mesh, Tetrahedra::OtherCells::Throw);
+  using Reader = TetrahedronReader<MeshType>;
+  const Reader mesh(m_Mesh, Reader::OtherCells::Throw);
 
   mmm::MeshQualityOptions options;
   options.smallestAngle = m_SmallestAngle;
@@ -42,14 +38,7 @@ TetrahedralMeshQualityCalculator<TMesh>::Compute()
   options.maximumListed = m_MaximumListed;
   options.duplicateTolerance = m_DuplicateTolerance;
   options.computeBettiNumbers = m_ComputeBettiNumbers;
-  try
-  {
-    m_Report = mmm::ComputeMeshQuality(mesh.points, mesh.tetrahedra, mesh.labels, options);
-  }
-  catch (const std::logic_error & error)
-  {
-    itkExceptionMacro(<< error.what());
-  }
+  m_Report = mmm::ComputeMeshQuality(mesh.arrays, options);
   for (auto & tetrahedron : m_Report.poorest)
   {
     tetrahedron.index = mesh.cellIdentifiers[tetrahedron.index];

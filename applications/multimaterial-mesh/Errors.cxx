@@ -29,7 +29,7 @@ ToOneLine(const std::string & text)
 {
   // "itk::ERROR: Class(0x1234): " and "WARNING: In file.cxx, line 5\nClass (0x1234): "
   static const std::regex decoration("(itk::|ITK )(ERROR|WARNING): *([A-Za-z0-9_:<>]+\\([^() ]*\\): *)?|"
-                                     "WARNING: In [^\\n]*, line [0-9]+\\s+[A-Za-z0-9_:<>]+ \\([^() ]*\\): ");
+                                     "WARNING: In [^\\n]*, line [0-9]+\\s+([A-Za-z0-9_:<>]+ \\([^() ]*\\): )?");
   static const std::regex space("\\s+");
   std::string             line = std::regex_replace(text, decoration, "");
   line = std::regex_replace(line, space, " ");

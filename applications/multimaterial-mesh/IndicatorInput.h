@@ -20,7 +20,7 @@
 
 #include "ImageInput.h"
 #include "Settings.h"
-#include "itk/Labels.h"
+#include "itkLabelImageStages.h"
 
 #include <vector>
 

@@ -18,7 +18,6 @@
 #include "LabelCheck.h"
 
 #include "Errors.h"
-#include "itk/IntensityCheck.h"
 
 #include <algorithm>
 #include <sstream>

@@ -20,7 +20,7 @@
 
 #include "MeshFormat.h"
 #include "itkMultiMaterialMeshTypes.h"
-#include "itk/Labels.h"
+#include "itkLabelImageStages.h"
 
 #include <string>
 

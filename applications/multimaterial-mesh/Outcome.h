@@ -20,7 +20,7 @@
 
 #include "LabelCheck.h"
 #include "MeshFilter.h"
-#include "quality/MeshQuality.h"
+#include "MultiMaterialMeshingQuality.h"
 
 #include <vector>
 

@@ -19,6 +19,8 @@
 
 #include "Version.h"
 
+#include "itkMultiThreaderBase.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

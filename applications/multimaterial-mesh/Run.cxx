@@ -29,7 +29,8 @@
 #include "Summary.h"
 #include "SurfaceQuality.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
-#include "itk/SizingOptions.h"
+
+#include "itkMultiThreaderBase.h"
 
 #include <algorithm>
 #include <iostream>

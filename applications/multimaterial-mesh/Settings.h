@@ -18,7 +18,7 @@
 #ifndef Settings_h
 #define Settings_h
 
-#include "sizing/SizeRule.h"
+#include "MultiMaterialMeshingOptions.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -23,8 +23,7 @@
 #include "itkMeditMeshIO.h"
 #include "itkOptimizeTetrahedralMeshFilter.h"
 #include "itkVTUMeshIO.h"
-#include "quality/MeshQuality.h"
-#include "itk/TetrahedraOfMesh.h"
+#include "MultiMaterialMeshingQuality.h"
 
 #include "itkMeshFileReader.h"
 #include "itkMeshFileWriter.h"
@@ -91,9 +90,9 @@ MakeIO(const std::string & fileName)
 void
 PrintQuality(const char * title, const Mesh * mesh)
 {
-  using Tetrahedra = mmm::TetrahedraOfMesh<Mesh>;
-  const Tetrahedra contents(mesh, Tetrahedra::OtherCells::LeaveOut);
-  const auto       quality = mmm::ComputeMeshQuality(contents.points, contents.tetrahedra, contents.labels).tetrahedra;
+  using Reader = itk::TetrahedronReader<Mesh>;
+  const Reader contents(mesh, Reader::OtherCells::LeaveOut);
+  const auto   quality = mmm::ComputeMeshQuality(contents.arrays, mmm::MeshQualityOptions()).tetrahedra;
   std::cout << std::fixed << title << quality.count << " tetrahedra, radius ratio " << std::setprecision(3)
             << quality.radiusRatio.average << " on average, dihedral angles " << std::setprecision(1)
             << quality.smallestAngle.minimum << " to " << quality.largestAngle << " degrees, " << quality.below[1]

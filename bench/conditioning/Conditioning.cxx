@@ -19,9 +19,11 @@
 // point.
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 
+#include "base/Points.h"
 #include "itkMultiMaterialMeshTypes.h"
+#include "itkTetrahedronArrays.h"
 #include "itkVTUMeshIO.h"
-#include "itk/TetrahedraOfMesh.h"
+#include "mesh/TetrahedronQuality.h"
 
 #include "itkMeshFileReader.h"
 
@@ -36,7 +38,7 @@
 namespace
 {
 using Mesh = itk::LabelTetrahedralMesh;
-using Tetrahedra = mmm::TetrahedraOfMesh<Mesh>;
+using Reader = itk::TetrahedronReader<Mesh>;
 using Matrix = Eigen::SparseMatrix<double>;
 
 /** The share of the height where the current enters, and where it leaves. */
@@ -44,18 +46,21 @@ constexpr double EndShare = 0.05;
 
 /** Conductivity 1 in one label, `contrast` in all others. */
 Matrix
-AssembleStiffness(const Tetrahedra & mesh, int poorConductor, double contrast)
+AssembleStiffness(const std::vector<mmm::Vector> & points,
+                  const itk::TetrahedronArrays &   mesh,
+                  int                              poorConductor,
+                  double                           contrast)
 {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(16 * mesh.tetrahedra.size());
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
   {
     const auto &        corners = mesh.tetrahedra[t];
-    const mmm::Vector & origin = mesh.points[corners[0]];
+    const mmm::Vector & origin = points[corners[0]];
     Eigen::Matrix3d     edges;
     for (int c = 0; c < 3; ++c)
     {
-      edges.row(c) = (mesh.points[corners[c + 1]] - origin).transpose();
+      edges.row(c) = (points[corners[c + 1]] - origin).transpose();
     }
     // the gradients of the four linear basis functions
     Eigen::Matrix<double, 3, 4> gradients;
@@ -71,7 +76,7 @@ AssembleStiffness(const Tetrahedra & mesh, int poorConductor, double contrast)
       }
     }
   }
-  Matrix stiffness(mesh.points.size(), mesh.points.size());
+  Matrix stiffness(points.size(), points.size());
   stiffness.setFromTriplets(entries.begin(), entries.end());
   return stiffness;
 }
@@ -99,9 +104,10 @@ Measure(const std::string & fileName, int poorConductor, double contrast)
   reader->SetMeshIO(itk::VTUMeshIO::New());
   reader->SetFileName(fileName);
   reader->Update();
-  const Tetrahedra mesh(reader->GetOutput(), Tetrahedra::OtherCells::LeaveOut);
+  const auto mesh = Reader(reader->GetOutput(), Reader::OtherCells::LeaveOut).arrays;
+  const auto points = mmm::ToVectors(mesh.points);
 
-  Matrix stiffness = AssembleStiffness(mesh, poorConductor, contrast);
+  Matrix stiffness = AssembleStiffness(points, mesh, poorConductor, contrast);
   // what the current enters and leaves by must not depend on the mesh: the upper and the lower end of the body
   double lowest = 1e300;
   double highest = -1e300;
@@ -109,25 +115,24 @@ Measure(const std::string & fileName, int poorConductor, double contrast)
   {
     for (const auto p : corners)
     {
-      lowest = std::min(lowest, mesh.points[p][2]);
-      highest = std::max(highest, mesh.points[p][2]);
+      lowest = std::min(lowest, points[p][2]);
+      highest = std::max(highest, points[p][2]);
     }
   }
   const double      margin = EndShare * (highest - lowest);
-  std::vector<char> isGround(mesh.points.size());
-  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  std::vector<char> isGround(points.size());
+  for (std::size_t p = 0; p < points.size(); ++p)
   {
-    isGround[p] = mesh.points[p][2] < lowest + margin;
+    isGround[p] = points[p][2] < lowest + margin;
   }
   Ground(stiffness, isGround);
   Eigen::VectorXd current = Eigen::VectorXd::Zero(stiffness.rows());
   for (const auto & c : mesh.tetrahedra)
   {
-    const double z = 0.25 * (mesh.points[c[0]] + mesh.points[c[1]] + mesh.points[c[2]] + mesh.points[c[3]])[2];
+    const double z = 0.25 * (points[c[0]] + points[c[1]] + points[c[2]] + points[c[3]])[2];
     if (z > highest - margin)
     {
-      const double volume =
-        mmm::TetrahedronVolume(mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]], mesh.points[c[3]]);
+      const double volume = mmm::TetrahedronVolume(points[c[0]], points[c[1]], points[c[2]], points[c[3]]);
       for (const auto p : c)
       {
         current[p] += std::abs(volume) / 4.0;
@@ -143,7 +148,7 @@ Measure(const std::string & fileName, int poorConductor, double contrast)
   const auto            begin = std::chrono::steady_clock::now();
   const Eigen::VectorXd potential = solver.compute(stiffness).solve(current);
   const double          seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::cout << fileName << ": " << mesh.points.size() << " points, " << mesh.tetrahedra.size() << " tetrahedra, "
+  std::cout << fileName << ": " << points.size() << " points, " << mesh.tetrahedra.size() << " tetrahedra, "
             << solver.iterations() << " iterations in " << seconds << " s, relative residual " << solver.error()
             << ", resistance " << potential.dot(current) << std::endl;
 }

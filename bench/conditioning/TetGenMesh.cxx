@@ -18,14 +18,14 @@
 // TetGen's own mesh of the triangles between labels: what the optimizer and other meshes are compared with.
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 
+#include "base/Points.h"
 #include "itkMultiMaterialMeshTypes.h"
+#include "itkTetrahedronArrays.h"
 #include "itkVTUMeshIO.h"
 #include "mesh/InterfaceMesh.h"
-#include "itk/MeshConversion.h"
 
 #include "itkMeshFileReader.h"
 #include "itkMeshFileWriter.h"
-#include "itkTetrahedronCell.h"
 
 #include <tetgen.h>
 
@@ -134,21 +134,19 @@ Tetrahedralize(Input & input, std::string switches)
 void
 Write(const Input & input, const std::vector<mmm::Tetrahedron> & tetrahedra, const std::string & fileName)
 {
-  const auto                    materials = mmm::LabelByInterfaces(input.interfaces, tetrahedra, input.outside);
-  std::vector<mmm::Tetrahedron> inside;
-  std::vector<int>              labels;
+  const auto             materials = mmm::LabelByInterfaces(input.interfaces, tetrahedra, input.outside);
+  itk::TetrahedronArrays inside;
+  inside.points = mmm::ToPoints(input.points);
   for (std::size_t t = 0; t < tetrahedra.size(); ++t)
   {
     if (materials[t] != input.outside)
     {
-      inside.push_back(tetrahedra[t]);
-      labels.push_back(input.labels[materials[t]]);
+      inside.tetrahedra.push_back(tetrahedra[t]);
+      inside.labels.push_back(input.labels[materials[t]]);
     }
   }
   const auto mesh = Mesh::New();
-  mmm::SetMeshPoints(mesh.GetPointer(), input.points);
-  mmm::SetMeshCells<itk::TetrahedronCell<Mesh::CellType>>(mesh.GetPointer(), inside, [](std::size_t) { return false; });
-  mmm::SetMeshCellData(mesh.GetPointer(), std::move(labels));
+  itk::FillMesh(inside, mesh.GetPointer());
   const auto writer = itk::MeshFileWriter<Mesh>::New();
   writer->SetMeshIO(itk::VTUMeshIO::New());
   writer->SetInput(mesh);

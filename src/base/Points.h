@@ -22,6 +22,9 @@
 
 #include "itkPoint.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace mmm
 {
 /** A point as reports have it. */
@@ -38,6 +41,22 @@ inline Vector
 ToVector(const itk::Point<double, 3> & point)
 {
   return Vector(point.GetDataPointer());
+}
+
+inline std::vector<itk::Point<double, 3>>
+ToPoints(const std::vector<Vector> & vectors)
+{
+  std::vector<itk::Point<double, 3>> points(vectors.size());
+  std::transform(vectors.begin(), vectors.end(), points.begin(), ToPoint);
+  return points;
+}
+
+inline std::vector<Vector>
+ToVectors(const std::vector<itk::Point<double, 3>> & points)
+{
+  std::vector<Vector> vectors(points.size());
+  std::transform(points.begin(), points.end(), vectors.begin(), ToVector);
+  return vectors;
 }
 } // namespace mmm
 

@@ -17,9 +17,11 @@
  *=========================================================================*/
 #include "itk/FilterMonitor.h"
 
+#include "base/OutOfMemory.h"
 #include "base/PeakMemory.h"
 
 #include <algorithm>
+#include <new>
 
 namespace mmm
 {
@@ -76,6 +78,19 @@ FilterMonitor::Report(double fraction)
 }
 
 void
+FilterMonitor::Observe(itk::ProcessObject * stage)
+{
+  stage->SetNumberOfWorkUnits(m_Filter->GetNumberOfWorkUnits());
+  stage->AddObserver(itk::ProgressEvent(), [this, stage](const itk::EventObject &) {
+    this->Update(stage->GetProgress());
+    if (m_Filter->GetAbortGenerateData())
+    {
+      stage->AbortGenerateDataOn();
+    }
+  });
+}
+
+void
 FilterMonitor::EndStage()
 {
   if (m_IsRunning)
@@ -86,5 +101,32 @@ FilterMonitor::EndStage()
     m_Share = 0.0;
     m_IsRunning = false;
   }
+}
+
+void
+RunStages(itk::ProcessObject *                         filter,
+          StageLog &                                   log,
+          const std::vector<PlannedStage> &            plan,
+          const std::function<void(FilterMonitor &)> & body)
+{
+  try
+  {
+    FilterMonitor monitor(filter, log, plan);
+    body(monitor);
+  }
+  catch (const std::bad_alloc &)
+  {
+    ThrowOutOfMemory(std::string(filter->GetNameOfClass()) + ", in stage \"" + log.current + "\",");
+  }
+}
+
+void
+RunStage(itk::ProcessObject * filter, const std::string & name, const std::function<void(FilterMonitor &)> & body)
+{
+  StageLog log;
+  RunStages(filter, log, { { name, 1.0 } }, [&](FilterMonitor & monitor) {
+    monitor.BeginStage(name);
+    body(monitor);
+  });
 }
 } // namespace mmm

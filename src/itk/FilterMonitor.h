@@ -25,6 +25,8 @@
 #include "itkProcessObject.h"
 
 #include <chrono>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace mmm
@@ -60,6 +62,10 @@ public:
   void
   Update(double fraction);
 
+  /** Makes a filter of ITK that does a stage's work report it here, and abort with this one. */
+  void
+  Observe(itk::ProcessObject * stage);
+
 private:
   using Clock = std::chrono::steady_clock;
 
@@ -75,6 +81,17 @@ private:
   bool                      m_IsRunning{ false };
   Clock::time_point         m_StageBegin;
 };
+
+/** Runs the stages of a filter. Where memory runs out, the exception tells in which. */
+void
+RunStages(itk::ProcessObject *                         filter,
+          StageLog &                                   log,
+          const std::vector<PlannedStage> &            plan,
+          const std::function<void(FilterMonitor &)> & body);
+
+/** The same for a filter that is a single stage, and keeps no log. */
+void
+RunStage(itk::ProcessObject * filter, const std::string & name, const std::function<void(FilterMonitor &)> & body);
 } // namespace mmm
 
 #endif

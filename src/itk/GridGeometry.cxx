@@ -105,35 +105,4 @@ GridGeometry::SetGridGeometry(const Grid & grid, ImageType * image)
   image->SetOrigin(origin);
   image->SetDirection(direction);
 }
-
-itk::ImageRegion<3>
-UnionOfRegions(const std::vector<const itk::ImageBase<3> *> & images)
-{
-  auto lower = images.front()->GetLargestPossibleRegion().GetIndex();
-  auto upper = images.front()->GetLargestPossibleRegion().GetUpperIndex();
-  for (const auto * image : images)
-  {
-    const auto & region = image->GetLargestPossibleRegion();
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      lower[axis] = std::min(lower[axis], region.GetIndex(axis));
-      upper[axis] = std::max(upper[axis], region.GetUpperIndex()[axis]);
-    }
-  }
-  itk::ImageRegion<3> whole;
-  whole.SetIndex(lower);
-  whole.SetUpperIndex(upper);
-  return whole;
-}
-
-bool
-HaveSameGeometry(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b)
-{
-  // files in single precision, such as NIfTI, are to match
-  constexpr double tolerance = 1e-4;
-  const double     lengthTolerance = tolerance * std::abs(a->GetSpacing()[0]);
-  return a->GetOrigin().GetVnlVector().is_equal(b->GetOrigin().GetVnlVector(), lengthTolerance) &&
-         a->GetSpacing().GetVnlVector().is_equal(b->GetSpacing().GetVnlVector(), lengthTolerance) &&
-         a->GetDirection().GetVnlMatrix().as_ref().is_equal(b->GetDirection().GetVnlMatrix().as_ref(), tolerance);
-}
 } // namespace mmm

@@ -80,14 +80,6 @@ private:
   Grid               m_Grid;
   double             m_Unit{ 1.0 };
 };
-
-/** The smallest region that holds the largest possible regions of all images. */
-MultiMaterialMeshing_EXPORT itk::ImageRegion<3>
-                            UnionOfRegions(const std::vector<const itk::ImageBase<3> *> & images);
-
-/** Whether two images have the same spacing, origin and direction, with ITK's tolerances for the inputs of a filter. */
-MultiMaterialMeshing_EXPORT bool
-HaveSameGeometry(const itk::ImageBase<3> * a, const itk::ImageBase<3> * b);
 } // namespace mmm
 
 #endif

@@ -18,10 +18,11 @@
 #ifndef mmmIndicatorImages_h
 #define mmmIndicatorImages_h
 
-#include "itk/GridGeometry.h"
 #include "indicators/IndicatorSet.h"
-#include "indicators/IndicatorSmoothing.h"
+#include "itk/GridGeometry.h"
+#include "itkIndicatorImageStages.h"
 
+#include <string>
 #include <vector>
 
 namespace mmm
@@ -30,21 +31,11 @@ namespace mmm
  *
  * The grid covers the largest possible regions of all images, which have the same origin, spacing and direction. The
  * images must outlive this object. */
-template <typename TIndicatorImage>
 class IndicatorImages
 {
 public:
-  explicit IndicatorImages(std::vector<const TIndicatorImage *> images)
-    : m_Images(std::move(images))
-    , m_Region(UnionOfRegions({ m_Images.begin(), m_Images.end() }))
-    , m_Geometry(m_Images.front(), m_Region)
-  {}
+  explicit IndicatorImages(const std::vector<const FloatImage *> & images);
 
-  const itk::ImageRegion<3> &
-  GetRegion() const
-  {
-    return m_Region;
-  }
   const GridGeometry &
   GetGeometry() const
   {
@@ -53,30 +44,16 @@ public:
 
   /** The indicators in the grid's unit. */
   IndicatorSet
-  MakeIndicatorSet() const
-  {
-    std::vector<IndicatorBricks> indicators;
-    for (const auto * image : m_Images)
-    {
-      const auto &           buffered = image->GetBufferedRegion();
-      BlockView<const float> view;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        view.lower[axis] = static_cast<int>(buffered.GetIndex(axis) - m_Region.GetIndex(axis));
-        view.size[axis] = static_cast<int>(buffered.GetSize(axis));
-      }
-      view.values = image->GetBufferPointer();
-      indicators.emplace_back(
-        m_Geometry.GetGrid(), view, -float(IndicatorBandWidth), static_cast<float>(1.0 / m_Geometry.GetUnit()));
-    }
-    return IndicatorSet(m_Geometry.GetGrid(), std::move(indicators), -IndicatorBandWidth);
-  }
+  MakeIndicatorSet() const;
 
 private:
-  std::vector<const TIndicatorImage *> m_Images;
-  itk::ImageRegion<3>                  m_Region;
-  GridGeometry                         m_Geometry;
+  std::vector<const FloatImage *> m_Images;
+  GridGeometry                    m_Geometry;
 };
+
+/** What is wrong with the number of images and labels, in a sentence; empty if nothing is. */
+std::string
+DescribeError(const IndicatorInputs & inputs);
 } // namespace mmm
 
 #endif

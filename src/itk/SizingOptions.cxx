@@ -61,8 +61,24 @@ SizeOfVolume(double volume)
 }
 
 std::string
-DescribeError(const SizingOptions & options, bool hasRegion)
+DescribeError(const MeshingOptions & options)
 {
+  std::ostringstream words;
+  if (!(options.maximumMemory > 0.0))
+  {
+    words << "The largest memory is " << options.maximumMemory << " GB. It must be positive.";
+  }
+  return words.str();
+}
+
+std::string
+DescribeError(const SizingInputs & sizing)
+{
+  const SizingOptions & options = sizing.options;
+  if (options.sizingImageReplaces && sizing.image.IsNull())
+  {
+    return "There is no sizing image to stand in place of the computed sizes.";
+  }
   const struct
   {
     const char * name;
@@ -104,7 +120,7 @@ DescribeError(const SizingOptions & options, bool hasRegion)
           << " mm.";
     return words.str();
   }
-  return DescribeRuleErrors(options, hasRegion);
+  return DescribeRuleErrors(options, sizing.region.IsNotNull());
 }
 
 SizeRule

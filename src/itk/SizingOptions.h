@@ -20,6 +20,7 @@
 
 #include "MultiMaterialMeshingOptions.h"
 #include "itk/GridGeometry.h"
+#include "itkIndicatorImageStages.h"
 #include "sizing/SizeRule.h"
 #include "sizing/Sizing.h"
 
@@ -27,14 +28,11 @@
 
 namespace mmm
 {
-/** The edge length that keeps tetrahedra below a volume. */
-MultiMaterialMeshing_EXPORT double
-SizeOfVolume(double volume);
-
-/** What is wrong with the options, in a sentence; empty if nothing is. `hasRegion` tells whether there is a region of
- * interest. */
-MultiMaterialMeshing_EXPORT std::string
-                            DescribeError(const SizingOptions & options, bool hasRegion);
+/** What is wrong with settings, in a sentence; empty if nothing is. */
+std::string
+DescribeError(const SizingInputs & sizing);
+std::string
+DescribeError(const MeshingOptions & options);
 
 /** Rules in the grid's unit. */
 MultiMaterialMeshing_EXPORT SizeRule

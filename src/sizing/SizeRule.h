@@ -25,10 +25,6 @@
 
 namespace mmm
 {
-/** What is wrong with a rule, in a sentence that calls its place, such as "label 3", by name; empty if nothing is. */
-MultiMaterialMeshing_EXPORT std::string
-                            DescribeError(const SizeRule & rule, const std::string & place);
-
 /** Which rules are for labels that are not in the list, and what is in it, in a sentence; empty if all are. */
 MultiMaterialMeshing_EXPORT std::string
                             DescribeUnknownLabels(const LabelSizeRules & rules, std::vector<int> labels);

@@ -201,7 +201,13 @@ TEST(ExteriorFilling, ThrowsOnWhatContradicts)
   filter->SetAirMargin(3.0);
   filter->SetExteriorLabels({});
   mmmtest::ExpectException([&] { filter->Update(); }, "The exterior is to be filled, but no label is exterior");
+}
+
+TEST(ExteriorFilling, AirMayHaveALabelBeyondTheRangeOfThePixels)
+{
+  const auto filter = MakeFilter(mmmtest::MakeBall<LabelImage>(12, 4.0));
+  filter->SetAirMargin(3.0);
   filter->SetExteriorLabels({ 300 });
-  mmmtest::ExpectException([&] { filter->Update(); },
-                           "The label of air, 300, is beyond the range of the image's pixels");
+  filter->Update();
+  EXPECT_EQ(filter->GetLabels(), (std::vector<int>{ 0, 1, 300 }));
 }

@@ -198,19 +198,52 @@ TEST(LabelImageToIndicatorImagesFilter, PhysicalPositionsAreThoseOfTheInput)
   EXPECT_EQ(indicator->GetDirection(), image->GetDirection());
 }
 
-TEST(LabelImageToIndicatorImagesFilter, KnowsItsOutputsBeforeTheUpdate)
+TEST(LabelImageToIndicatorImagesFilter, ReadsNoPixelsForTheSakeOfInformation)
 {
+  using CopyFilter = itk::CastImageFilter<LabelImage, LabelImage>;
   const auto image = mmmtest::MakeHalves<LabelImage>(20, 6.0);
-  const auto filter = MakeFilter(image);
+  const auto copy = CopyFilter::New();
+  copy->SetInput(image);
+  copy->InPlaceOff();
+  const auto filter = MakeFilter(copy->GetOutput());
   filter->UpdateOutputInformation();
+  EXPECT_EQ(copy->GetOutput()->GetBufferedRegion().GetNumberOfPixels(), 0u);
+  EXPECT_EQ(filter->GetOutput()->GetLargestPossibleRegion(), image->GetLargestPossibleRegion());
+  EXPECT_DOUBLE_EQ(filter->GetBandWidth(), 3.0);
+}
+
+TEST(LabelImageToIndicatorImagesFilter, LetsOthersFollowItsOutputsAfterTheUpdate)
+{
+  const auto                image = mmmtest::MakeHalves<LabelImage>(20, 6.0);
+  const auto                filter = MakeFilter(image);
+  const mmmtest::RunCounter runs(filter);
+  filter->Update();
   ASSERT_EQ(filter->GetNumberOfIndexedOutputs(), 3u);
 
   using CastFilter = itk::CastImageFilter<IndicatorImage, itk::Image<double, 3>>;
   const auto cast = CastFilter::New();
   cast->SetInput(filter->GetOutput(2));
   cast->Update();
+  EXPECT_EQ(runs.GetCount(), 1);
+  // regions do not depend on the radius
+  filter->SetRadius(0.7);
+  cast->Update();
+  EXPECT_EQ(runs.GetCount(), 2);
   EXPECT_EQ(cast->GetOutput()->GetBufferedRegion(), filter->GetOutput(2)->GetBufferedRegion());
   EXPECT_GT(cast->GetOutput()->GetPixel({ { 10, 10, 12 } }), 0.5);
+}
+
+TEST(LabelImageToIndicatorImagesFilter, LetsOthersFollowWholeOutputsAtOnce)
+{
+  const auto image = mmmtest::MakeHalves<LabelImage>(20, 6.0);
+  const auto filter = MakeFilter(image);
+  filter->CropToBandOff();
+  using CastFilter = itk::CastImageFilter<IndicatorImage, itk::Image<double, 3>>;
+  const auto cast = CastFilter::New();
+  cast->SetInput(filter->GetOutput());
+  cast->Update();
+  EXPECT_EQ(cast->GetOutput()->GetBufferedRegion(), image->GetLargestPossibleRegion());
+  EXPECT_GT(cast->GetOutput()->GetPixel({ { 1, 1, 1 } }), 0.5);
 }
 
 TEST(LabelImageToIndicatorImagesFilter, FollowsItsInput)
@@ -289,7 +322,7 @@ TEST(LabelImageToIndicatorImagesFilter, ThrowsOnMoreLabelsThanAreSupported)
   const auto filter = itk::LabelImageToIndicatorImagesFilter<LargeImage>::New();
   filter->SetInput(
     mmmtest::MakeImage<LargeImage>(41, 40, 40, [](int i, int j, int k) { return (i * 40 + j) * 40 + k; }));
-  mmmtest::ExpectException([&] { filter->UpdateOutputInformation(); }, "The image has 65600 labels");
+  mmmtest::ExpectException([&] { filter->Update(); }, "The image has 65600 labels");
 }
 
 TEST(LabelImageToIndicatorImagesFilter, AbortsWhenAsked)

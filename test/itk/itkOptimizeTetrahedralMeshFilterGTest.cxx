@@ -19,7 +19,7 @@
 #include "itkOptimizeTetrahedralMeshFilter.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
 #include "mesh/InterfaceMesh.h"
-#include "itk/MeshConversion.h"
+#include "base/Points.h"
 #include "support/TestLabelImages.h"
 #include "support/TestMeshes.h"
 #include "delaunay/TetGen.h"
@@ -42,10 +42,7 @@ Mesh::Pointer
 MakeMesh(const std::vector<Vector> & points, const std::vector<mmm::Tetrahedron> & tetrahedra, std::vector<int> labels)
 {
   const auto mesh = Mesh::New();
-  mmm::SetMeshPoints(mesh.GetPointer(), points);
-  mmm::SetMeshCells<itk::TetrahedronCell<Mesh::CellType>>(
-    mesh.GetPointer(), tetrahedra, [](std::size_t) { return false; });
-  mmm::SetMeshCellData(mesh.GetPointer(), std::move(labels));
+  itk::FillMesh({ mmm::ToPoints(points), tetrahedra, std::move(labels) }, mesh.GetPointer());
   return mesh;
 }
 

@@ -15,27 +15,48 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmTetrahedraOfMesh_h
-#define mmmTetrahedraOfMesh_h
-
-#include "mesh/TetrahedralMesh.h"
+#ifndef itkTetrahedronArrays_h
+#define itkTetrahedronArrays_h
 
 #include "itkCommonEnums.h"
+#include "itkIntTypes.h"
 #include "itkMacro.h"
 #include "itkNumericTraits.h"
+#include "itkPoint.h"
+#include "itkTetrahedronCell.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
-namespace mmm
+namespace itk
 {
-/** \brief The points of an itk::Mesh, its tetrahedra and their labels. Cells keep their order.
+/** \brief Tetrahedra and their labels as plain arrays: what filters of any type of mesh give to compiled code, and get.
  *
- * \throw itk::ExceptionObject that names the cell, if a cell is of another kind, lacks a label or has a point that the
- * mesh lacks. */
+ * \ingroup MultiMaterialMeshing
+ */
+struct TetrahedronArrays
+{
+  using PointType = Point<double, 3>;
+  using TetrahedronType = std::array<std::uint32_t, 4>;
+
+  std::vector<PointType> points;
+  /** Places in `points`. */
+  std::vector<TetrahedronType> tetrahedra;
+  std::vector<int>             labels;
+};
+
+/** \brief The tetrahedra of an itk::Mesh. Cells keep their order.
+ *
+ * \throw ExceptionObject that names the cell, if a cell is of another kind, lacks a label or has a point that the mesh
+ * lacks.
+ *
+ * \ingroup MultiMaterialMeshing
+ */
 template <typename TMesh>
-class TetrahedraOfMesh
+class TetrahedronReader
 {
 public:
   enum class OtherCells
@@ -45,7 +66,7 @@ public:
     LeaveOut
   };
 
-  TetrahedraOfMesh(const TMesh * mesh, OtherCells otherCells)
+  TetrahedronReader(const TMesh * mesh, OtherCells otherCells)
     : m_Mesh(mesh)
     , m_OtherCells(otherCells)
   {
@@ -56,11 +77,9 @@ public:
     }
   }
 
-  std::vector<Vector>                         points;
-  std::vector<Tetrahedron>                    tetrahedra;
-  std::vector<int>                            labels;
+  TetrahedronArrays                           arrays;
   std::vector<typename TMesh::CellIdentifier> cellIdentifiers;
-  std::size_t                                 leftOut{ 0 };
+  SizeValueType                               leftOut{ 0 };
 
 private:
   using CellIdentifier = typename TMesh::CellIdentifier;
@@ -74,13 +93,14 @@ private:
     {
       return;
     }
-    points.reserve(container->Size());
+    arrays.points.reserve(container->Size());
     bool isContiguous = true;
     for (auto point = container->Begin(); point != container->End(); ++point)
     {
-      isContiguous = isContiguous && point.Index() == points.size();
+      isContiguous = isContiguous && point.Index() == arrays.points.size();
       m_PointIdentifiers.push_back(point.Index());
-      points.emplace_back(point.Value()[0], point.Value()[1], point.Value()[2]);
+      arrays.points.emplace_back();
+      arrays.points.back().CastFrom(point.Value());
     }
     if (isContiguous)
     {
@@ -93,8 +113,8 @@ private:
   {
     const auto * cells = m_Mesh->GetCells();
     cellIdentifiers.reserve(cells->Size());
-    tetrahedra.reserve(cells->Size());
-    labels.reserve(cells->Size());
+    arrays.tetrahedra.reserve(cells->Size());
+    arrays.labels.reserve(cells->Size());
     for (auto cell = cells->Begin(); cell != cells->End(); ++cell)
     {
       // a vector of cells may have gaps
@@ -103,7 +123,7 @@ private:
         continue;
       }
       const typename TMesh::CellType & constCell = *cell.Value();
-      if (constCell.GetType() != itk::CommonEnums::CellGeometry::TETRAHEDRON_CELL)
+      if (constCell.GetType() != CommonEnums::CellGeometry::TETRAHEDRON_CELL)
       {
         if (m_OtherCells == OtherCells::LeaveOut && constCell.GetDimension() < 3)
         {
@@ -113,21 +133,21 @@ private:
         itkGenericExceptionMacro("Cell " << cell.Index() << " is no tetrahedron: it is a " << constCell.GetType()
                                          << ".");
       }
-      auto        pointOfCell = constCell.PointIdsBegin();
-      Tetrahedron tetrahedron{ {} };
+      auto                               pointOfCell = constCell.PointIdsBegin();
+      TetrahedronArrays::TetrahedronType tetrahedron{ {} };
       for (auto & index : tetrahedron)
       {
         const PointIdentifier point = *pointOfCell++;
         const std::size_t     position = this->PositionOf(point);
-        if (position >= points.size())
+        if (position >= arrays.points.size())
         {
           itkGenericExceptionMacro("Cell " << cell.Index() << " has the point " << point << ", which the mesh lacks.");
         }
         index = static_cast<std::uint32_t>(position);
       }
       cellIdentifiers.push_back(cell.Index());
-      tetrahedra.push_back(tetrahedron);
-      labels.push_back(this->LabelOf(cell.Index()));
+      arrays.tetrahedra.push_back(tetrahedron);
+      arrays.labels.push_back(this->LabelOf(cell.Index()));
     }
   }
 
@@ -141,7 +161,7 @@ private:
     const auto found = std::lower_bound(m_PointIdentifiers.begin(), m_PointIdentifiers.end(), point);
     return found != m_PointIdentifiers.end() && *found == point
              ? static_cast<std::size_t>(found - m_PointIdentifiers.begin())
-             : points.size();
+             : arrays.points.size();
   }
 
   int
@@ -158,7 +178,7 @@ private:
       itkGenericExceptionMacro("Cell " << cell << " has no label.");
     }
     const auto label = static_cast<double>(pixel);
-    if (!(label >= itk::NumericTraits<int>::NonpositiveMin() && label <= itk::NumericTraits<int>::max()) ||
+    if (!(label >= NumericTraits<int>::NonpositiveMin() && label <= NumericTraits<int>::max()) ||
         label != std::floor(label))
     {
       itkGenericExceptionMacro("Cell " << cell << " has the label " << label
@@ -172,6 +192,37 @@ private:
   /** Empty where they are 0, 1, 2 and so on. */
   std::vector<PointIdentifier> m_PointIdentifiers;
 };
-} // namespace mmm
+
+/** Gives an itk::Mesh these points, tetrahedra and labels in place of what it has. */
+template <typename TMesh>
+void
+FillMesh(const TetrahedronArrays & arrays, TMesh * mesh)
+{
+  const auto points = TMesh::PointsContainer::New();
+  points->Reserve(arrays.points.size());
+  const auto cells = TMesh::CellsContainer::New();
+  cells->Reserve(arrays.tetrahedra.size());
+  const auto data = TMesh::CellDataContainer::New();
+  data->Reserve(arrays.labels.size());
+  for (std::size_t p = 0; p < arrays.points.size(); ++p)
+  {
+    points->ElementAt(p).CastFrom(arrays.points[p]);
+  }
+  for (std::size_t t = 0; t < arrays.tetrahedra.size(); ++t)
+  {
+    auto * cell = new TetrahedronCell<typename TMesh::CellType>;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      cell->SetPointId(corner, arrays.tetrahedra[t][corner]);
+    }
+    cells->ElementAt(t) = cell;
+    data->ElementAt(t) = static_cast<typename TMesh::CellPixelType>(arrays.labels[t]);
+  }
+  mesh->SetPoints(points);
+  mesh->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
+  mesh->SetCells(cells);
+  mesh->SetCellData(data);
+}
+} // namespace itk
 
 #endif

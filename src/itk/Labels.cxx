@@ -15,22 +15,32 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmIntensityCheck_h
-#define mmmIntensityCheck_h
-
 #include "itk/Labels.h"
+
+#include "itk/GridGeometry.h"
 
 #include <algorithm>
 #include <sstream>
-#include <string>
 
 namespace mmm
 {
-/** What makes an image look like one of intensities, as a text that goes after "the image "; empty for a label image.
- * Too many values do, or many that change from voxel to voxel. `counts` are those of the image. */
-template <typename TImage>
+LabelCounts
+CountLabels(const LabelImage * image)
+{
+  LabelCounts counts;
+  auto        last = counts.end();
+  ForEachRun(image, [&](int label, std::size_t count) {
+    if (last == counts.end() || last->first != label)
+    {
+      last = counts.insert({ label, 0 }).first;
+    }
+    last->second += count;
+  });
+  return counts;
+}
+
 std::string
-DescribeIntensities(const TImage * image, const LabelCounts & counts)
+DescribeIntensities(const LabelImage * image, const LabelCounts & counts)
 {
   // No atlas in use has so many labels.
   constexpr std::size_t maximumLabels = 1000;
@@ -66,6 +76,18 @@ DescribeIntensities(const TImage * image, const LabelCounts & counts)
        << " labels";
   return text.str();
 }
-} // namespace mmm
 
-#endif
+MaterialImage
+MakeMaterialImage(const LabelImage * image, const std::vector<int> & labels)
+{
+  MaterialImage materials;
+  materials.grid = GridGeometry(image, image->GetLargestPossibleRegion()).GetGrid();
+  materials.numberOfMaterials = labels.size();
+  materials.materials.reserve(materials.grid.NumberOfNodes());
+  ForEachRun(image, [&](int label, std::size_t count) {
+    const auto place = std::lower_bound(labels.begin(), labels.end(), label) - labels.begin();
+    materials.materials.insert(materials.materials.end(), count, static_cast<Material>(place));
+  });
+  return materials;
+}
+} // namespace mmm

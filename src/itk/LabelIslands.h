@@ -1,0 +1,36 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmLabelIslands_h
+#define mmmLabelIslands_h
+
+#include "itk/FilterMonitor.h"
+#include "itkLabelImageStages.h"
+
+namespace mmm
+{
+/** What MergeLabelIslandsImageFilter does, as a stage of a filter. */
+void
+MergeLabelIslands(const std::vector<int> &      exteriorLabels,
+                  std::size_t                   minimumIslandSize,
+                  LabelImage *                  labels,
+                  std::map<int, IslandRecord> & records,
+                  std::vector<int> &            absentLabels,
+                  FilterMonitor &               monitor);
+} // namespace mmm
+
+#endif

@@ -1,0 +1,353 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "itkLabelMeshing.h"
+
+#include "itk/FilterMonitor.h"
+#include "itk/FunctionImages.h"
+#include "itk/ImageRegions.h"
+#include "itk/IndicatorMeshing.h"
+#include "itk/IndicatorSizing.h"
+#include "itk/LabelDomain.h"
+#include "itk/LabelIslands.h"
+#include "itk/LabelSmoothing.h"
+#include "itk/SizingImage.h"
+#include "itk/SizingOptions.h"
+#include "itkImageConversion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace mmm
+{
+namespace
+{
+/** Who samples that finely wants the topology rather than the best triangles. */
+bool
+KeepsTopology(const SizingOptions & options)
+{
+  return options.epsilon <= 1.0;
+}
+
+/** An image in the geometry of its grid, where the stages work: the grid's unit of length, origin 0, no rotation. */
+template <typename TImage>
+typename TImage::Pointer
+InGrid(const TImage * image, const GridGeometry & geometry)
+{
+  const auto copy = TImage::New();
+  copy->Graft(image);
+  GridGeometry::SetGridGeometry(geometry.GetGrid(), copy);
+  return copy;
+}
+
+/** What users ask of the sizes, in the grid's unit and geometry. */
+SizingInputs
+InGrid(const SizingInputs & inputs, const GridGeometry & geometry)
+{
+  SizingInputs    sizing;
+  SizingOptions & options = sizing.options;
+  options = inputs.options;
+  for (double * length : { &options.chordTolerance, &options.minimumSize, &options.maximumSize })
+  {
+    *length = geometry.ToGridUnit(*length);
+  }
+  options.maximumVolume = std::pow(geometry.ToGridUnit(std::cbrt(options.maximumVolume)), 3);
+  options.labelSizes = ToGridUnit(options.labelSizes, geometry);
+  options.region = ToGridUnit(options.region, geometry);
+  if (inputs.image)
+  {
+    const auto extended =
+      CopyRegion(inputs.image.GetPointer(), geometry.GetRegion(), std::numeric_limits<float>::infinity());
+    const auto sizes = ReadSizingImage(extended.GetPointer(), geometry);
+    const auto image = FloatImage::New();
+    GridGeometry::SetGridGeometry(geometry.GetGrid(), image);
+    image->Allocate();
+    std::copy(sizes.begin(), sizes.end(), image->GetBufferPointer());
+    sizing.image = image;
+  }
+  if (inputs.region)
+  {
+    sizing.region = InGrid(
+      CopyRegion(inputs.region.GetPointer(), geometry.GetRegion(), MaskImage::PixelType(0)).GetPointer(), geometry);
+  }
+  return sizing;
+}
+
+/** Gives an image of a stage the geometry of the domain, with values in mm. */
+void
+RestoreGeometry(const itk::ImageBase<3> * domain, double unit, FloatImage * image)
+{
+  auto region = image->GetBufferedRegion();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    region.SetIndex(axis, region.GetIndex(axis) + domain->GetLargestPossibleRegion().GetIndex(axis));
+  }
+  image->CopyInformation(domain);
+  image->SetRegions(region);
+  float * values = image->GetBufferPointer();
+  std::transform(values, values + region.GetNumberOfPixels(), values, [unit](float value) {
+    return static_cast<float>(value * unit);
+  });
+}
+
+/** An image of which only the geometry is left. */
+itk::ImageBase<3>::ConstPointer
+GeometryOf(const LabelImage * image)
+{
+  const auto geometry = itk::ImageBase<3>::New();
+  geometry->CopyInformation(image);
+  return geometry.GetPointer();
+}
+
+/** The place of the label that is not meshed among the labels, or -1 if there is none. */
+int
+ExteriorOf(const LabelOptions & options, const std::vector<int> & labels)
+{
+  const auto exterior = IsFilled(options) ? labels.end() : std::find_if(labels.begin(), labels.end(), [&](int label) {
+    return Contains(options.exteriorLabels, label);
+  });
+  return exterior == labels.end() ? -1 : static_cast<int>(exterior - labels.begin());
+}
+
+/** Labels that were to be meshed but are in no mesh, and their numbers of voxels. */
+LabelCounts
+FindVanished(const std::vector<int> & labels, const std::set<int> & meshed, const LabelCounts & counts)
+{
+  LabelCounts vanished;
+  for (const int label : labels)
+  {
+    if (!meshed.count(label))
+    {
+      vanished.insert(*counts.find(label));
+    }
+  }
+  return vanished;
+}
+
+/** The outputs, with a note of the labels that they have. */
+MeshingOutputs
+NoteLabels(const MeshingOutputs & outputs, std::set<int> & meshed)
+{
+  MeshingOutputs noting = outputs;
+  noting.setTetrahedra = [&](const itk::TetrahedronArrays & arrays) {
+    meshed.insert(arrays.labels.begin(), arrays.labels.end());
+    outputs.setTetrahedra(arrays);
+  };
+  return noting;
+}
+
+class LabelMesher
+{
+public:
+  LabelMesher(LabelMeshingInputs     inputs,
+              const MeshingOutputs & outputs,
+              MeshingState &         state,
+              LabelMeshingResults &  results,
+              FilterMonitor &        monitor)
+    : m_Inputs(std::move(inputs))
+    , m_Outputs(outputs)
+    , m_State(state)
+    , m_Results(results)
+    , m_Monitor(monitor)
+  {}
+
+  void
+  Run()
+  {
+    m_Monitor.BeginStage("merging of islands");
+    auto               labels = this->MergeIslands();
+    const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());
+
+    m_Monitor.BeginStage("indicators");
+    auto indicators = this->ComputeIndicators(geometry, labels);
+    labels = nullptr;
+
+    m_Monitor.BeginStage("sizing");
+    MeshingInputs inputs;
+    inputs.indicators.images.assign(indicators.begin(), indicators.end());
+    inputs.indicators.labels = m_Results.labels;
+    inputs.indicators.exterior = ExteriorOf(m_Inputs.options, m_Results.labels);
+    auto sizing = ComputeSizingImage(inputs.indicators, InGrid(m_Inputs.sizing, geometry), m_Monitor);
+
+    inputs.sizing = sizing;
+    inputs.options = m_Inputs.meshing;
+    inputs.outsideLabel = m_Inputs.options.exteriorLabels.empty() ? 0 : m_Inputs.options.exteriorLabels.front();
+    inputs.keepTopology = KeepsTopology(m_Inputs.sizing.options);
+    inputs.reference = m_Domain;
+    std::set<int> meshed;
+    const auto    release = [&] {
+      if (!m_Inputs.options.keepIntermediates)
+      {
+        indicators.clear();
+        sizing = nullptr;
+      }
+    };
+    MeshIndicators(inputs, release, NoteLabels(m_Outputs, meshed), m_State, m_Monitor);
+    if (m_Inputs.meshing.surfaceOnly)
+    {
+      for (const auto & sides : m_Outputs.surface->GetCellData()->CastToSTLConstContainer())
+      {
+        meshed.insert(sides.Begin(), sides.End());
+      }
+    }
+    meshed.insert(m_State.outsideLabel);
+    m_Results.vanishedLabels = FindVanished(m_Results.labels, meshed, m_Counts);
+
+    if (m_Inputs.options.keepIntermediates)
+    {
+      for (auto & image : indicators)
+      {
+        RestoreGeometry(m_Domain, geometry.GetUnit(), image);
+      }
+      RestoreGeometry(m_Domain, geometry.GetUnit(), sizing);
+      m_Results.indicatorImages = std::move(indicators);
+      m_Results.sizingImage = sizing;
+    }
+  }
+
+private:
+  /** In the grid's geometry. The input is not needed any more. */
+  LabelImage::Pointer
+  MergeIslands()
+  {
+    const LabelDomain domain(m_Inputs);
+    m_Counts = domain.GetCounts();
+    m_Domain = GeometryOf(domain.GetImage());
+    m_Inputs.labels = nullptr;
+    m_Results.meshedRegion = m_Domain->GetLargestPossibleRegion();
+    const GridGeometry geometry(m_Domain, m_Results.meshedRegion);
+    auto               labels = itk::CopyToIntegers(InGrid(domain.GetImage(), geometry).GetPointer());
+    MergeLabelIslands(m_Inputs.options.exteriorLabels,
+                      m_Inputs.options.minimumIslandSize,
+                      labels,
+                      m_Results.islandRecords,
+                      m_Results.absentExteriorLabels,
+                      m_Monitor);
+    for (const auto & entry : CountLabels(labels))
+    {
+      m_Results.labels.push_back(entry.first);
+    }
+    return labels;
+  }
+
+  std::vector<FloatImage::Pointer>
+  ComputeIndicators(const GridGeometry & geometry, const LabelImage * labels)
+  {
+    if (!m_Inputs.functions.images.empty())
+    {
+      return ComputeFunctionIndicators(
+        m_Inputs.functions, m_Inputs.options.exteriorLabels, m_Results.labels, labels, m_Monitor);
+    }
+    const SmoothingOptions options{ geometry.ToGridUnit(m_Inputs.options.radius),
+                                    KeepsTopology(m_Inputs.sizing.options),
+                                    true };
+    return ComputeIndicatorImages(options, labels, m_Monitor).images;
+  }
+
+  LabelMeshingInputs              m_Inputs;
+  const MeshingOutputs &          m_Outputs;
+  MeshingState &                  m_State;
+  LabelMeshingResults &           m_Results;
+  FilterMonitor &                 m_Monitor;
+  itk::ImageBase<3>::ConstPointer m_Domain;
+  LabelCounts                     m_Counts;
+};
+} // namespace
+
+std::string
+DescribeError(const LabelMeshingInputs & inputs)
+{
+  const LabelOptions & options = inputs.options;
+  std::ostringstream   words;
+  if (options.radius < 0.0 || std::isinf(options.radius))
+  {
+    words << "The radius is " << options.radius << " mm. It must be finite and not negative.";
+  }
+  else if (options.airMargin < 0.0 || std::isinf(options.airMargin))
+  {
+    words << "The air margin is " << options.airMargin << " mm. It must be finite and not negative.";
+  }
+  else if (IsFilled(options) && options.exteriorLabels.empty())
+  {
+    words << "The exterior is to be filled, but no label is exterior.";
+  }
+  else
+  {
+    const std::string error = DescribeError(inputs.meshing);
+    words << (error.empty() ? DescribeError(inputs.sizing) : error);
+  }
+  return words.str();
+}
+
+std::string
+DescribeGeometryError(const itk::ImageBase<3> * labels, const SizingInputs & sizing)
+{
+  const auto describe = [labels](const itk::ImageBase<3> * image, const char * name) {
+    std::ostringstream words;
+    if (image == nullptr)
+    {
+      return std::string();
+    }
+    if (!HaveSameGeometry(labels, image))
+    {
+      words << "The " << name << " differs from the label image in origin, spacing or direction.";
+    }
+    else if (labels->GetLargestPossibleRegion() != image->GetLargestPossibleRegion())
+    {
+      words << "The " << name << " has " << image->GetLargestPossibleRegion().GetSize()
+            << " voxels and the label image " << labels->GetLargestPossibleRegion().GetSize()
+            << ". They must be on the same grid.";
+    }
+    return words.str();
+  };
+  const std::string error = describe(sizing.image, "sizing image");
+  return error.empty() ? describe(sizing.region, "region of interest") : error;
+}
+
+void
+MeshLabels(itk::ProcessObject *   filter,
+           LabelMeshingInputs     inputs,
+           const MeshingOutputs & outputs,
+           MeshingState &         state,
+           LabelMeshingResults &  results)
+{
+  results = LabelMeshingResults();
+  state.report = MeshingReport();
+  // the shares are those of a head of 7 million voxels
+  RunStages(filter,
+            state.log,
+            { { "merging of islands", 0.01 },
+              { "indicators", 0.07 },
+              { "sizing", 0.05 },
+              { "preparation", 0.01 },
+              { "seeding of particles", 0.02 },
+              { "relaxation of 1-cells", 0.01 },
+              { "relaxation of 2-cells", 0.11 },
+              { "surface", 0.19 },
+              { "topology", 0.02 },
+              { "seeding of the interior", 0.01 },
+              { "relaxation of the interior", 0.08 },
+              { "constrained tetrahedralization", 0.07 },
+              { "optimization", 0.30 },
+              { "fit of the interfaces", 0.06 },
+              { "output", 0.01 } },
+            [&](FilterMonitor & monitor) { LabelMesher(std::move(inputs), outputs, state, results, monitor).Run(); });
+}
+} // namespace mmm
