@@ -15,8 +15,8 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkHeadPhantomImageSource.h"
 #include "phantom/HeadPhantom.h"
+#include "phantom/itkHeadPhantomImageSource.h"
 
 #include "itkCommand.h"
 #include "itkConnectedComponentImageFilter.h"

@@ -49,11 +49,18 @@ def make_image(labels, spacing=SPACING, origin=ORIGIN, direction=None):
     return image
 
 
-def make_head():
-    """A small head of six tissues."""
-    source = itk.HeadPhantomImageSource[itk.Image[itk.UC, 3]].New(size=[23, 28, 23], spacing=[8.0, 8.0, 8.0])
-    source.Update()
-    return source.GetOutput()
+def make_head(size=(23, 28, 23), spacing=8.0):
+    """Ellipsoids in each other, as scalp, skull, fluid and folded gray and white matter, and a pocket of air."""
+    z, y, x = np.meshgrid(*(spacing * (np.arange(n) - (n - 1) / 2) for n in reversed(size)), indexing="ij")
+    radius = np.sqrt(x**2 + (y / 1.2) ** 2 + z**2)
+    folds = 4.0 * np.sin(0.2 * x) * np.sin(0.2 * y) * np.sin(0.2 * z)
+    labels = np.zeros(radius.shape, np.uint8)
+    for label, outside in enumerate((86.0, 74.0, 62.0), 1):
+        labels[radius < outside] = label
+    for label, outside in enumerate((52.0, 36.0), 4):
+        labels[radius + folds < outside] = label
+    labels[x**2 + (y + 88.0) ** 2 + z**2 < 16.0**2] = 6
+    return make_image(labels, [spacing] * 3)
 
 
 @pytest.fixture(scope="session")

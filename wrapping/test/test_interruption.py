@@ -26,7 +26,7 @@ import time
 import itk
 import numpy as np
 import pytest
-from conftest import points_of
+from conftest import make_head, points_of
 
 
 class SignalAfter:
@@ -53,9 +53,7 @@ def handler():
 @pytest.fixture(scope="module")
 def large():
     """Labels that take long enough to be interrupted."""
-    source = itk.HeadPhantomImageSource[itk.Image[itk.UC, 3]].New(size=[91, 109, 91], spacing=[2.0, 2.0, 2.0])
-    source.Update()
-    return source.GetOutput()
+    return make_head(size=(91, 109, 91), spacing=2.0)
 
 
 def test_update_ends_soon(large):

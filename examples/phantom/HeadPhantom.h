@@ -18,12 +18,13 @@
 #ifndef mmmHeadPhantom_h
 #define mmmHeadPhantom_h
 
-#include "base/Grid.h"
-
-#include "MultiMaterialMeshingExport.h"
+#include "itk_eigen.h"
+#include ITK_EIGEN(Dense)
 
 namespace mmm
 {
+using Vector = Eigen::Vector3d;
+
 /** The labels of HeadPhantomLabel(), those of the common six-tissue head models. */
 enum class HeadTissue : unsigned char
 {
@@ -41,12 +42,12 @@ enum class HeadTissue : unsigned char
  * Points are in mm, x to the left, y to the back, z upwards (LPS). The brain surrounds the origin. The vertex is at
  * z = 87, the chin at z = -135, the nose tip at y = -112, the back of the head at y = 102 and the ears at x = -85 and
  * 85; the neck continues downwards without end. Bone is 2 mm thick where it is thinnest, the fluid below it 1.7 mm. */
-MultiMaterialMeshing_EXPORT HeadTissue
+HeadTissue
 HeadPhantomTissue(const Vector & point);
 
 /** Bounds, in mm, the distance of a point to the ventricles, the only CSF that white matter touches: negative inside.
  */
-MultiMaterialMeshing_EXPORT double
+double
 HeadPhantomVentricles(const Vector & point);
 } // namespace mmm
 

@@ -15,24 +15,29 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmHeadPhantomSkull_h
-#define mmmHeadPhantomSkull_h
+#ifndef mmmHeadPhantomFolds_h
+#define mmmHeadPhantomFolds_h
 
-#include "base/Grid.h"
+#include "phantom/HeadPhantom.h"
 
+/** Thin sheets of fluid that cut into the brain. Each function bounds the distance, in mm, to its sheets. */
 namespace mmm::phantom
 {
-/** Skull with jaw, orbits and spine. `intracranial` is the distance to the intracranial space. */
+/** Between the hemispheres down to the corpus callosum, and the cingulate sulcus that branches off it. */
 double
-Bones(const Vector & point, double intracranial);
+MidlineFissures(const Vector & point);
 
-/** Paranasal sinuses, mastoid cells, nasal cavity and airway: pockets that do not open to the outside. */
+/** Between the temporal lobe and the rest, widening to the plane of the insula at its bottom. */
 double
-AirCavities(const Vector & point, double intracranial);
+LateralFissure(const Vector & point);
 
-/** The skin. `bones` is the value of Bones() at the point. */
+/** The folds of the cerebral cortex; `depth` is the distance to the skull. */
 double
-HeadOutline(const Vector & point, double intracranial, double bones);
+Sulci(const Vector & point, double depth);
+
+/** The folds of the cerebellar cortex; `depth` is the distance to the surface of the cerebellum. */
+double
+Folia(const Vector & point, double depth);
 } // namespace mmm::phantom
 
 #endif

@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "itkHeadPhantomImageSource.h"
+#include "phantom/itkHeadPhantomImageSource.h"
 
 #include "itkImageFileWriter.h"
 

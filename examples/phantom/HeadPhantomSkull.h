@@ -15,29 +15,24 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmHeadPhantomFolds_h
-#define mmmHeadPhantomFolds_h
+#ifndef mmmHeadPhantomSkull_h
+#define mmmHeadPhantomSkull_h
 
-#include "base/Grid.h"
+#include "phantom/HeadPhantom.h"
 
-/** Thin sheets of fluid that cut into the brain. Each function bounds the distance, in mm, to its sheets. */
 namespace mmm::phantom
 {
-/** Between the hemispheres down to the corpus callosum, and the cingulate sulcus that branches off it. */
+/** Skull with jaw, orbits and spine. `intracranial` is the distance to the intracranial space. */
 double
-MidlineFissures(const Vector & point);
+Bones(const Vector & point, double intracranial);
 
-/** Between the temporal lobe and the rest, widening to the plane of the insula at its bottom. */
+/** Paranasal sinuses, mastoid cells, nasal cavity and airway: pockets that do not open to the outside. */
 double
-LateralFissure(const Vector & point);
+AirCavities(const Vector & point, double intracranial);
 
-/** The folds of the cerebral cortex; `depth` is the distance to the skull. */
+/** The skin. `bones` is the value of Bones() at the point. */
 double
-Sulci(const Vector & point, double depth);
-
-/** The folds of the cerebellar cortex; `depth` is the distance to the surface of the cerebellum. */
-double
-Folia(const Vector & point, double depth);
+HeadOutline(const Vector & point, double intracranial, double bones);
 } // namespace mmm::phantom
 
 #endif

@@ -18,7 +18,7 @@
 #ifndef mmmHeadPhantomShapes_h
 #define mmmHeadPhantomShapes_h
 
-#include "base/Grid.h"
+#include "phantom/HeadPhantom.h"
 
 #include <algorithm>
 #include <cmath>
