@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "sizing/MedialAxis.h"
+#include "sizing/SizingField.h"
 #include "sizing/SourcePropagation.h"
 #include "support/TestScenes.h"
 
