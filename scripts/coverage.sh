@@ -10,7 +10,8 @@ export BUILD_DIR=${BUILD_DIR:-$project/build-coverage}
 "$project/scripts/build.sh" -DCMAKE_BUILD_TYPE=Coverage -DCMAKE_CXX_FLAGS_COVERAGE="-O1 --coverage" -DBUILD_TESTING=ON
 find "$BUILD_DIR" -name '*.gcda' -delete
 ctest --test-dir "$BUILD_DIR" --output-on-failure --parallel "$(nproc)" --timeout 3600
+
 mkdir -p "$BUILD_DIR/coverage"
-gcovr --root "$project" --filter src --filter include --filter applications --exclude '.*/test/' \
-  --exclude-throw-branches --print-summary --html-details "$BUILD_DIR/coverage/index.html" --output "$BUILD_DIR/coverage.txt" \
-  "$BUILD_DIR"
+cd "$project"
+gcovr --root . --filter src/ --filter include/ --filter applications/ --exclude '.*/test/' --exclude-throw-branches \
+  --print-summary --txt "$BUILD_DIR/coverage/files.txt" --html-details "$BUILD_DIR/coverage/index.html" "$BUILD_DIR"
