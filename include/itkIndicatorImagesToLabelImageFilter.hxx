@@ -82,7 +82,7 @@ mmm::IndicatorInputs
 IndicatorImagesToLabelImageFilter<TIndicatorImage, TLabelImage>::GetFunctions() const
 {
   mmm::IndicatorInputs functions;
-  for (ProcessObject::DataObjectPointerArraySizeType n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
+  for (std::size_t n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
   {
     functions.images.push_back(dynamic_cast<const TIndicatorImage *>(this->ProcessObject::GetInput(n)));
   }

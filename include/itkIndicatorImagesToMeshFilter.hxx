@@ -60,7 +60,7 @@ mmm::MeshingInputs
 IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GetInputs() const
 {
   mmm::MeshingInputs inputs;
-  for (DataObjectPointerArraySizeType n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
+  for (std::size_t n = 0; n < this->GetNumberOfIndexedInputs(); ++n)
   {
     inputs.indicators.images.push_back(dynamic_cast<const TIndicatorImage *>(this->ProcessObject::GetInput(n)));
   }
@@ -107,6 +107,7 @@ IndicatorImagesToMeshFilter<TIndicatorImage, TOutputMesh>::GenerateData()
     [this] { this->ReleaseInputs(); }, // where they ask for it
     this->GetMeshingOutputs(),
     this->m_State);
+  this->Warn();
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

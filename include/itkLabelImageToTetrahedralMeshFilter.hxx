@@ -100,6 +100,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GenerateData()
   inputs.labels = ToIntegers(this->GetInput());
   inputs.functions = this->GetFunctions();
   mmm::MeshLabels(this, std::move(inputs), this->GetMeshingOutputs(), this->m_State, m_Results);
+  this->Warn();
 }
 
 template <typename TLabelImage, typename TOutputMesh>

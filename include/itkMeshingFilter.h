@@ -144,6 +144,10 @@ protected:
   mmm::MeshingOutputs
   GetMeshingOutputs();
 
+  /** Gives out the warnings of the report. */
+  void
+  Warn() const;
+
   mmm::MeshingState m_State;
 
 private:

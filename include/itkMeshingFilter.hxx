@@ -118,6 +118,16 @@ MeshingFilter<TSuperclass>::GetMeshingOutputs()
 
 template <typename TSuperclass>
 void
+MeshingFilter<TSuperclass>::Warn() const
+{
+  for (const auto & warning : m_State.report.warnings)
+  {
+    itkWarningMacro(<< warning);
+  }
+}
+
+template <typename TSuperclass>
+void
 MeshingFilter<TSuperclass>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);

@@ -170,10 +170,6 @@ MeshIndicators(const MeshingInputs &         inputs,
   try
   {
     BuildMesh(indicators, sizing, ParametersOf(inputs), monitor, result);
-    for (const auto & warning : result.report.warnings)
-    {
-      itkGenericOutputMacro(<< warning);
-    }
     monitor.BeginStage("output");
   }
   catch (...)
