@@ -26,7 +26,6 @@ itk_module(
     ITKIOMeta
     ITKImageGrid
   TEST_DEPENDS
-    ITKTestKernel
     ITKGoogleTest
   FACTORY_NAMES
     MeshIO::Gmsh

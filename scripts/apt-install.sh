@@ -25,10 +25,16 @@ for package in "$@"; do
   status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null) || true
   [ "$status" = installed ] || missing+=("$package")
 done
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "Installing ${missing[*]}"
-  sudo=()
-  [ "$(id -u)" -eq 0 ] || sudo=(sudo)
-  "${sudo[@]}" apt-get update -qq
-  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends "${missing[@]}" > /dev/null
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo > /dev/null; then
+    echo "apt-install.sh: these packages are missing, and there is no sudo: as root, apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  sudo=(sudo)
 fi
+echo "Installing ${missing[*]}"
+"${sudo[@]}" apt-get update -qq
+"${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends "${missing[@]}" > /dev/null

@@ -23,6 +23,7 @@ set -euo pipefail
 project=$(cd "$(dirname "$0")/.." && pwd)
 build=${BUILD_DIR:-$project/build}
 "$project/scripts/apt-install.sh" \
-  cmake g++ libcli11-dev libinsighttoolkit5-dev libtet1.5-dev ninja-build nlohmann-json3-dev
-cmake -S "$project" -B "$build" -G Ninja "$@"
+  cmake g++ libcli11-dev libinsighttoolkit5-dev ninja-build nlohmann-json3-dev xz-utils
+tetgen=$("$project/scripts/tetgen-source.sh" "${XDG_CACHE_HOME:-$HOME/.cache}/multimaterial-meshing")
+cmake -S "$project" -B "$build" -G Ninja -DMultiMaterialMeshing_TETGEN_SOURCE="$tetgen" "$@"
 cmake --build "$build" --parallel "$(nproc)"

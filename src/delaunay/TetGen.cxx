@@ -19,10 +19,12 @@
 #include "mesh/Incidence.h"
 #include "base/MakeUnique.h"
 #include "base/OutOfMemory.h"
-#include "delaunay/TetGenTermination.h"
 
 #include "itkMacro.h"
 
+#ifdef MMM_TETGEN_OF_SYSTEM
+#  define terminatetetgen TetGensOwnTermination
+#endif
 #include <tetgen.h>
 
 #include <algorithm>
@@ -30,6 +32,25 @@
 #include <new>
 #include <sstream>
 #include <string>
+
+#ifdef MMM_TETGEN_OF_SYSTEM
+#  undef terminatetetgen
+// Visible to the dynamic linker even where the module is a static library, whose other symbols are hidden.
+#  ifdef __GNUC__
+__attribute__((visibility("default")))
+#  endif
+void
+terminatetetgen(tetgenmesh *, int code);
+
+/** What TetGen calls when it gives up. Its own frees the mesh and throws, whereupon the mesh's destructor frees it
+ * again, and the program crashes. This one, which the dynamic linker finds first, leaves the memory to the destructor.
+ */
+void
+terminatetetgen(tetgenmesh *, int code)
+{
+  throw code;
+}
+#endif
 
 namespace mmm
 {
@@ -74,13 +95,12 @@ Run(const std::string & switches, tetgenio & in, tetgenio & out)
   std::ostringstream words;
   try
   {
-    const TetGenGuard guard;
     tetrahedralize(&arguments[0], &in, &out);
     return "";
   }
-  catch (const TetGenAssertion & assertion)
+  catch (const char * assertion)
   {
-    words << "its assertion failed: " << assertion.words;
+    words << "its assertion failed: " << assertion;
   }
   catch (int code)
   {

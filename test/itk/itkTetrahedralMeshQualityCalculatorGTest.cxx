@@ -22,7 +22,7 @@
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
 
-#include "itkGTest.h"
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>

@@ -16,26 +16,30 @@
 #   limitations under the License.
 #
 #==========================================================================
-# usage: itk-source.sh VERSION FOLDER
-# Unpacks the source of an ITK release into FOLDER. It is Debian's source package of the distribution under development,
-# from the mirror that this machine gets its packages from; nothing else comes from there.
+# usage: debian-source.sh PACKAGE VERSION FOLDER [SUITE]
+# Unpacks the source of a Debian package into FOLDER, as its authors released it, without Debian's patches. It comes from
+# the mirror that this machine gets its packages from, of the machine's own distribution or of SUITE; nothing else comes
+# from there.
 set -euo pipefail
 
-version=$1
-folder=$2
-package=insighttoolkit5
+package=$1
+version=$2
+folder=$3
+suite=${4:-}
 
-mirror=$(apt-get indextargets --format '$(REPO_URI) $(COMPONENT) $(CODENAME)' 'Created-By: Packages' |
-  awk '$2 == "main" && $1 ~ /\/debian\/$/ { print $1; exit }')
-if [ -z "$mirror" ]; then
-  echo "itk-source.sh: no Debian mirror among the entries of apt; unpack ITK $version into $folder yourself" >&2
+fail() {
+  echo "debian-source.sh: $1; unpack $package $version into $folder yourself" >&2
   exit 1
-fi
-
-work=$(mktemp -d "$(dirname "$folder")/itk-source.XXXXXX")
+}
+command -v apt-get > /dev/null || fail "there is no apt here"
+work=$(mktemp -d "$(dirname "$folder")/$package.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
-echo "deb-src $mirror sid main" > "$work/sources.list"
+apt-get indextargets --format '$(REPO_URI) $(CODENAME) $(COMPONENT)' 'Created-By: Packages' |
+  awk -v suite="$suite" '$1 ~ /\/(debian|ubuntu)\/$/ && ($3 == "main" || $3 == "universe") {
+    print "deb-src", $1, suite ? suite " main" : $2 " " $3
+  }' | sort -u > "$work/sources.list"
+[ -s "$work/sources.list" ] || fail "no Debian mirror among the entries of apt"
 options=(
   -qq
   -o "Dir::Etc::SourceList=$work/sources.list" -o Dir::Etc::SourceParts=-
@@ -44,14 +48,11 @@ options=(
 )
 apt-get "${options[@]}" update
 found=$(apt-cache "${options[@]}" showsrc "$package" | awk '$1 == "Version:" { print $2 }' | grep -F "$version-" | tail -n 1) || true
-if [ -z "$found" ]; then
-  echo "itk-source.sh: Debian has no $package $version any more; unpack ITK $version into $folder yourself" >&2
-  exit 1
-fi
-echo "Getting $package $found from $mirror"
+[ -n "$found" ] || fail "Debian has no $package $version any more"
+echo "Getting $package $found"
 (cd "$work" && apt-get "${options[@]}" source --download-only --only-source "$package=$found")
 
 mkdir "$work/source"
 # ITK's test data are most of it
-tar -xf "$work/${package}_$version.orig.tar.xz" -C "$work/source" --strip-components=1 --exclude='*/.ExternalData'
+tar -xf "$work/${package}_$version".orig.tar.* -C "$work/source" --strip-components=1 --exclude='*/.ExternalData'
 mv "$work/source" "$folder"
