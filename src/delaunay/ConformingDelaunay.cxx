@@ -28,7 +28,10 @@ namespace mmm
 {
 namespace
 {
+/** Tries with fewer and fewer points; then all that may be left out are. */
 constexpr int Rounds = 10;
+/** By how much further each round looks for points in the way, in radii of the circumcircle. */
+constexpr double ReachGrowth = 0.3;
 
 /** The triangles that are no faces of the tetrahedra. */
 std::vector<Triangle>
@@ -151,8 +154,7 @@ ConformingTetrahedralization(const std::vector<Vector> &   points,
     for (const auto & t : missing)
     {
       Ball ball = SmallestBall(points[t[0]], points[t[1]], points[t[2]]);
-      // the next round looks further
-      ball.radius *= 1.0 + 0.3 * round;
+      ball.radius *= 1.0 + ReachGrowth * round;
       others.VisitBall(ball, [&](PointId p) { inTheWay[p] = 1; });
     }
     used.erase(std::remove_if(used.begin(), used.end(), [&](PointId p) { return inTheWay[p] != 0; }), used.end());

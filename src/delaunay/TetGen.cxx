@@ -148,8 +148,9 @@ FillSpace(const std::vector<Vector> & points)
   {
     scatter += (x - mean) * (x - mean).transpose();
   }
-  const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
-  return eigenvalues[0] > 1e-12 * eigenvalues[2];
+  const Vector     eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues();
+  constexpr double Flatness = 1e-12; // a thickness of a millionth of the length
+  return eigenvalues[0] > Flatness * eigenvalues[2];
 }
 
 /** TetGen's tetrahedra, each turned to positive orientation: its own varies. They are sorted by their smallest corners,

@@ -69,6 +69,29 @@ CornerBegins(const CellMesh & mesh)
   return begins;
 }
 
+GroupNames
+NamesInUse(const CellMesh & mesh, const std::string & characters)
+{
+  GroupNames names;
+  Group      previous{ -1, 0 };
+  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
+  {
+    // neighbours in the list are often alike
+    const Group group = mesh.GroupOf(i);
+    const auto  found = group == previous ? mesh.names.end() : mesh.names.find(group);
+    if (found != mesh.names.end())
+    {
+      names.insert(*found);
+    }
+    previous = group;
+  }
+  for (auto & [group, name] : names)
+  {
+    std::replace_if(name.begin(), name.end(), [&](char c) { return characters.find(c) != std::string::npos; }, ' ');
+  }
+  return names;
+}
+
 void
 SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys)
 {

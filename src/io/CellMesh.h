@@ -97,6 +97,10 @@ CheckCorners(const CellMesh & mesh);
 std::vector<std::size_t>
 CornerBegins(const CellMesh & mesh);
 
+/** The names of the groups that cells have, with blanks for some characters. */
+GroupNames
+NamesInUse(const CellMesh & mesh, const std::string & characters);
+
 /** Orders the cells by `keys`, one per cell; those with equal keys stay as they are. */
 void
 SortCells(CellMesh & mesh, const std::vector<std::uint64_t> & keys);

@@ -94,12 +94,7 @@ PointSmoother::TotalAround(PointId p, const Vector & x) const
     {
       continue;
     }
-    const auto &   t = m_Tetrahedra[*s];
-    const Vector * corners[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
-    }
+    const auto corners = this->CornersWith(*s, p, x);
     total +=
       m_Parameters.tetrahedronWeight * TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
   }

@@ -66,8 +66,7 @@ public:
         return true;
       }
     }
-    return m_EdgeCollapser.FindForTriangles(
-      t, { corners.begin(), corners.end() }, radiusRatio, OptimizerState::AnyQuality, change);
+    return m_EdgeCollapser.FindForTriangles(t, { corners.begin(), corners.end() }, radiusRatio, WorstQuality, change);
   }
 
   /** The radius ratio of a face on an interface; that of other faces does not count. */

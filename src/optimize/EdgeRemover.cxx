@@ -42,14 +42,14 @@ EdgeRemover::TriangulateLink(const std::vector<PointId> & polygon,
   int           middle[LongestRing + 1][LongestRing + 1];
   for (int i = 0; i + 1 < n; ++i)
   {
-    best[i][i + 1] = 2.0;
+    best[i][i + 1] = BestQuality;
   }
   for (int length = 2; length < n; ++length)
   {
     for (int i = 0; i + length < n; ++i)
     {
       const int k = i + length;
-      best[i][k] = -2.0;
+      best[i][k] = WorstQuality;
       middle[i][k] = i + 1;
       for (int j = i + 1; j < k; ++j)
       {
@@ -117,7 +117,7 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor, Comp
 {
   const auto & ring = m_Ring.tetrahedra;
   const int    count = int(ring.size());
-  if (count > OptimizationParameters::LongestRing - 2 || (m_Ring.closed && count < 3) || enough < -0.5)
+  if (count > OptimizationParameters::LongestRing - 2 || (m_Ring.closed && count < 3) || enough < 0.5 * InvertedQuality)
   {
     return false;
   }
@@ -158,11 +158,11 @@ EdgeRemover::ReplaceRing(PointId a, PointId b, double enough, double floor, Comp
   change.fresh.clear();
   change.beside.clear();
   std::vector<Triangle> triangles;
-  double                after = 2.0;
+  double                after = BestQuality;
   const auto            add = [&](const std::vector<PointId> & polygon, Material material) {
     if (polygon.size() < 3)
     {
-      after = -2.0;
+      after = WorstQuality;
       return;
     }
     triangles.clear();

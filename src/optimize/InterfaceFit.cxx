@@ -237,13 +237,7 @@ private:
     {
       if (m_Materials[*s] == own)
       {
-        std::array<const Vector *, 4> corners;
-        for (int c = 0; c < 4; ++c)
-        {
-          const PointId corner = m_Tetrahedra[*s][c];
-          corners[c] = corner == p ? &x : &m_Points[corner];
-        }
-        depth = std::min(depth, DepthOutside(corners, centre, depth));
+        depth = std::min(depth, DepthOutside(this->CornersWith(*s, p, x), centre, depth));
       }
     }
     return std::max(0.0, depth);

@@ -223,15 +223,10 @@ MovablePoints::MoveByColour(const std::function<bool(PointId)> & move)
 double
 MovablePoints::WorstAround(PointId p, const Vector & x, double enough) const
 {
-  double worst = 2.0;
+  double worst = BestQuality;
   for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
-    const auto &   t = m_Tetrahedra[*s];
-    const Vector * corners[4];
-    for (int c = 0; c < 4; ++c)
-    {
-      corners[c] = t[c] == p ? &x : &m_Points[t[c]];
-    }
+    const auto corners = this->CornersWith(*s, p, x);
     worst = std::min(worst, MaterialQuality(*corners[0], *corners[1], *corners[2], *corners[3], this->IsExterior(*s)));
     if (worst <= enough)
     {
@@ -251,7 +246,7 @@ MovablePoints::StaysGood(PointId p, const Vector & x, double angle) const
   {
     return true;
   }
-  const double worst = this->WorstAround(p, m_Points[p], -2.0);
+  const double worst = this->WorstAround(p, m_Points[p], WorstQuality);
   return (worst < enough) && (this->WorstAround(p, x, worst) > worst);
 }
 

@@ -23,6 +23,7 @@
 #include "optimize/OptimizationParameters.h"
 #include "optimize/TetrahedralComplex.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 
@@ -71,6 +72,18 @@ protected:
   IsExterior(std::uint32_t t) const
   {
     return m_Materials[t] == m_Exterior;
+  }
+  /** The corners of a tetrahedron if p were at x. */
+  std::array<const Vector *, 4>
+  CornersWith(std::uint32_t t, PointId p, const Vector & x) const
+  {
+    std::array<const Vector *, 4> corners;
+    for (int c = 0; c < 4; ++c)
+    {
+      const PointId corner = m_Tetrahedra[t][c];
+      corners[c] = corner == p ? &x : &m_Points[corner];
+    }
+    return corners;
   }
   bool
   IsOnInterface(PointId p) const

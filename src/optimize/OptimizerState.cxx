@@ -70,7 +70,7 @@ OptimizerState::Quality(const Tetrahedron & t, Material material) const
 double
 OptimizerState::WorstOf(const std::vector<Id> & tetrahedra) const
 {
-  double worst = 2.0;
+  double worst = BestQuality;
   for (const Id t : tetrahedra)
   {
     worst = std::min(worst, this->Quality(t));

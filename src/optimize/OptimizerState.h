@@ -33,8 +33,6 @@ struct OptimizerState
   using Id = TetrahedralComplex::Id;
   using Element = TetrahedralComplex::Element;
 
-  /** A floor that nothing is below. */
-  static constexpr double AnyQuality = -2.0;
   /** A floor that no triangle reaches. */
   static constexpr double Unreachable = 2.0;
   /** A new interface triangle's radius ratio is at least this, or that of the worst one that it replaces: the floor is

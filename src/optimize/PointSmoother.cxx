@@ -124,8 +124,7 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
     return false;
   }
   std::array<std::pair<double, std::uint32_t>, 3> poorest;
-  constexpr double None = 2.0; // a point of an outer corner may have fewer than three tetrahedra
-  poorest.fill({ None, 0 });
+  poorest.fill({ BestQuality, 0 }); // a point of an outer corner may have fewer than three tetrahedra
   for (auto s = m_Star.Begin(p); s != m_Star.End(p); ++s)
   {
     if (this->IsExterior(*s))
@@ -148,7 +147,7 @@ PointSmoother::MoveUphill(PointId p, double quality, double tolerance)
   bool moved = false;
   for (const auto & entry : poorest)
   {
-    if (entry.first >= None)
+    if (entry.first >= BestQuality)
     {
       break;
     }

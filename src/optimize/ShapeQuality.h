@@ -27,8 +27,11 @@
 
 namespace mmm
 {
-/** Above that of any tetrahedron. */
+/** Above and below those of all tetrahedra. */
 constexpr double BestQuality = 2.0;
+constexpr double WorstQuality = -2.0;
+/** That of a tetrahedron that is inverted. */
+constexpr double InvertedQuality = -1.0;
 
 /** 1 for a regular tetrahedron, 0 for a flat one, negative for an inverted one; it falls off alike for small and large
  * dihedral angles. Among tetrahedra of equal angles, those that are poor by their radius ratio count by that. */
@@ -42,7 +45,7 @@ ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector 
   const detail::TetrahedronNormals normals(a, b, c, d);
   if (!(normals.sixVolume > 0.0))
   {
-    return -1.0;
+    return InvertedQuality;
   }
   const DihedralCosines cosines = detail::Cosines(normals);
   return std::min({ (1.0 - cosines.largest) * SmallAngleWeight,
@@ -54,7 +57,7 @@ ShapeQuality(const Vector & a, const Vector & b, const Vector & c, const Vector 
 inline double
 MaterialQuality(const Vector & a, const Vector & b, const Vector & c, const Vector & d, bool isExterior)
 {
-  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? BestQuality : -1.0) : ShapeQuality(a, b, c, d);
+  return isExterior ? (TetrahedronVolume(a, b, c, d) > 0.0 ? BestQuality : InvertedQuality) : ShapeQuality(a, b, c, d);
 }
 
 /** The quality of a tetrahedron whose smallest dihedral angle is this, in degrees. */

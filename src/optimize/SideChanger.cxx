@@ -85,6 +85,32 @@ SideChanger::AllAround(Id t, PointId a, PointId b, Material first, Material seco
 }
 
 bool
+SideChanger::Give(Id t, Material material)
+{
+  m_State.complex.SetMaterial(t, material);
+  ++m_State.report.relabelled;
+  return true;
+}
+
+/** Gives t to a material if find(change) finds a change for it there, which is made. */
+template <typename TFind>
+bool
+SideChanger::GiveAndChange(Id t, Material material, const TFind & find)
+{
+  const Material own = m_State.complex.MaterialOf(t);
+  m_State.complex.SetMaterial(t, material);
+  ComplexChange change;
+  if (!find(change))
+  {
+    m_State.complex.SetMaterial(t, own);
+    return false;
+  }
+  m_State.Make(change);
+  ++m_State.report.relabelled;
+  return true;
+}
+
+bool
 SideChanger::ChangeOneFace(Id t, const Faces & faces)
 {
   const auto     corners = m_State.complex.Corners(t);
@@ -123,9 +149,7 @@ SideChanger::ChangeOneFace(Id t, const Faces & faces)
       return false;
     }
   }
-  m_State.complex.SetMaterial(t, faces.beyond);
-  ++m_State.report.relabelled;
-  return true;
+  return this->Give(t, faces.beyond);
 }
 
 bool
@@ -159,39 +183,25 @@ SideChanger::ChangeTwoFaces(Id t, const Faces & faces)
   {
     return own == m_State.exterior && this->CloseGap(t, a, b, other);
   }
-  m_State.complex.SetMaterial(t, other);
-  // within the mesh this is but a step towards taking it apart
-  if (other != m_State.exterior)
+  if (other == m_State.exterior)
   {
-    ComplexChange change;
-    if (!m_EdgeRemover.FindForEdge(t, c, d, change) && !m_EdgeRemover.FindAny(t, change))
-    {
-      m_State.complex.SetMaterial(t, own);
-      return false;
-    }
-    m_State.Make(change);
+    return this->Give(t, other);
   }
-  ++m_State.report.relabelled;
-  return true;
+  // within the mesh this is but a step towards taking it apart
+  return this->GiveAndChange(t, other, [&](ComplexChange & change) {
+    return m_EdgeRemover.FindForEdge(t, c, d, change) || m_EdgeRemover.FindAny(t, change);
+  });
 }
 
 /** A narrow gap with an edge ab across its mouth: filled, and the edge pulled together. */
 bool
 SideChanger::CloseGap(Id t, PointId a, PointId b, Material material)
 {
-  const double   least = QualityOfAngle(m_State.parameters.angleToKeepBesideTriangles);
-  const double   radiusRatio = OptimizerState::TriangleFloor(m_State.Quality(t));
-  const Material own = m_State.complex.MaterialOf(t);
-  m_State.complex.SetMaterial(t, material);
-  ComplexChange change;
-  if (!m_EdgeCollapser.FindForTriangles(t, { a, b }, radiusRatio, least, change))
-  {
-    m_State.complex.SetMaterial(t, own);
-    return false;
-  }
-  m_State.Make(change);
-  ++m_State.report.relabelled;
-  return true;
+  const double least = QualityOfAngle(m_State.parameters.angleToKeepBesideTriangles);
+  const double radiusRatio = OptimizerState::TriangleFloor(m_State.Quality(t));
+  return this->GiveAndChange(t, material, [&](ComplexChange & change) {
+    return m_EdgeCollapser.FindForTriangles(t, { a, b }, radiusRatio, least, change);
+  });
 }
 
 bool
@@ -235,8 +245,6 @@ SideChanger::ChangeThreeFaces(Id t, const Faces & faces)
   {
     return false;
   }
-  m_State.complex.SetMaterial(t, faces.beyond);
-  ++m_State.report.relabelled;
-  return true;
+  return this->Give(t, faces.beyond);
 }
 } // namespace mmm

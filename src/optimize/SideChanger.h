@@ -58,6 +58,11 @@ private:
   bool
   ChangeThreeFaces(OptimizerState::Id t, const Faces & faces);
   bool
+  Give(OptimizerState::Id t, Material material);
+  template <typename TFind>
+  bool
+  GiveAndChange(OptimizerState::Id t, Material material, const TFind & find);
+  bool
   CloseGap(OptimizerState::Id t, PointId a, PointId b, Material material);
   bool
   AllAround(OptimizerState::Id t, PointId a, PointId b, Material first, Material second);

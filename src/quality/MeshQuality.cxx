@@ -37,6 +37,8 @@ namespace mmm
 namespace
 {
 constexpr std::size_t ItemsPerRange = 16384;
+/** Beyond, squares of areas overflow. */
+constexpr double LargestCoordinate = 1e50;
 
 void
 CheckInput(const std::vector<Vector> &      points,
@@ -56,7 +58,7 @@ CheckInput(const std::vector<Vector> &      points,
   }
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    if (!(points[p].cwiseAbs().array() < 1e50).all())
+    if (!(points[p].cwiseAbs().array() < LargestCoordinate).all())
     {
       message << "Point " << p << " has a coordinate that is not finite or too large.";
       throw std::invalid_argument(message.str());

@@ -20,9 +20,6 @@
 #include "io/gmsh/GmshWriter2.h"
 #include "io/gmsh/GmshWriter4.h"
 
-#include <algorithm>
-#include <set>
-
 namespace mmm
 {
 namespace
@@ -31,20 +28,13 @@ namespace
 void
 WritePhysicalNames(FileComposer & file, const CellMesh & mesh)
 {
-  std::set<Group> used;
-  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
-  {
-    used.insert(mesh.GroupOf(i));
-  }
   std::string names;
   std::size_t count = 0;
-  for (const auto & [group, name] : mesh.names)
+  for (const auto & [group, name] : NamesInUse(mesh, "\"\n\r"))
   {
-    if (used.count(group) > 0 && group.second != 0)
+    if (group.second != 0)
     {
-      std::string text = name;
-      std::replace_if(text.begin(), text.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; }, ' ');
-      names += std::to_string(group.first) + ' ' + std::to_string(group.second) + " \"" + text + "\"\n";
+      names += std::to_string(group.first) + ' ' + std::to_string(group.second) + " \"" + name + "\"\n";
       ++count;
     }
   }

@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 namespace mmm
 {
@@ -30,19 +29,12 @@ namespace
 void
 WriteGroups(FileComposer & file, const CellMesh & mesh)
 {
-  std::set<Group> used;
-  for (std::size_t i = 0; i < mesh.shapes.size(); ++i)
+  for (const auto & [group, name] : NamesInUse(mesh, "\n\r"))
   {
-    used.insert(mesh.GroupOf(i));
-  }
-  for (const auto & [group, name] : mesh.names)
-  {
-    if (used.count(group) > 0 && name != "label " + std::to_string(group.second))
+    if (name != "label " + std::to_string(group.second))
     {
-      std::string text = name;
-      std::replace_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
       file.Text(std::string(meditGroupComment) + ' ' + std::to_string(group.first) + ' ' +
-                std::to_string(group.second) + ": " + text + '\n');
+                std::to_string(group.second) + ": " + name + '\n');
     }
   }
 }
