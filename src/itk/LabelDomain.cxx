@@ -18,7 +18,6 @@
 #include "itk/LabelDomain.h"
 
 #include "itk/ImageRegions.h"
-#include "itk/SizingOptions.h"
 #include "sizing/SizeRule.h"
 
 #include "itkImageRegionConstIterator.h"
