@@ -44,27 +44,22 @@ def surface_potential(points, position, moment, radii, conductivities, order=120
     """The potential in V at points of the outermost sphere around 0, with mean 0 over the sphere.
 
     points: (N, 3) in m; position in m, within the innermost sphere but not 0; moment in A m; radii in m and
-    conductivities in S/m from the inside out."""
+    conductivities in S/m from the inside out. For many dipoles position and moment are (M, 3), and the result (M, N)."""
     orders = np.arange(1, order + 1)
     radius = radii[-1]
-    eccentricity = np.linalg.norm(position)
+    eccentricity = np.linalg.norm(position, axis=-1, keepdims=True)
     axis = position / eccentricity
     directions = points / np.linalg.norm(points, axis=1, keepdims=True)
-    cosine = directions @ axis
-    radial = moment @ axis
-    along = directions @ moment - cosine * radial
+    cosine = axis @ directions.T
+    radial = np.sum(moment * axis, axis=-1, keepdims=True)
+    along = moment @ directions.T - cosine * radial
 
-    weights = (
-        (2 * orders + 1)
-        / orders
-        / layer_factors(radii, conductivities, orders)
-        * (eccentricity / radius) ** (orders - 1)
-    )
+    weights = (2 * orders + 1) / orders / layer_factors(radii, conductivities, orders)
     before, legendre = np.ones_like(cosine), cosine.copy()
     slope_before, slope = np.zeros_like(cosine), np.ones_like(cosine)
     potential = np.zeros_like(cosine)
     for n, weight in zip(orders, weights):
-        potential += weight * (n * legendre * radial + slope * along)
+        potential += weight * (eccentricity / radius) ** (n - 1) * (n * legendre * radial + slope * along)
         before, legendre = legendre, ((2 * n + 1) * cosine * legendre - n * before) / (n + 1)
         slope_before, slope = slope, slope_before + (2 * n + 1) * before
     return potential / (4 * np.pi * conductivities[0] * radius**2)

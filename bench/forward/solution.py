@@ -1,0 +1,167 @@
+# =========================================================================
+#
+#  Copyright NumFOCUS
+#
+#  Licensed under the Apache License, Version 2.0 (the "License");
+#  you may not use this file except in compliance with the License.
+#  You may obtain a copy of the License at
+#
+#         https://www.apache.org/licenses/LICENSE-2.0.txt
+#
+#  Unless required by applicable law or agreed to in writing, software
+#  distributed under the License is distributed on an "AS IS" BASIS,
+#  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+#  See the License for the specific language governing permissions and
+#  limitations under the License.
+#
+"""Potentials of unit currents at electrodes by finite elements of first order, and what follows from them: by reciprocity
+the potential of a dipole at the electrodes, and the field between electrodes."""
+
+import numpy as np
+import pyamg
+import pyvista
+import scipy.sparse
+import skfem
+from meshes import CORNERS, number_of_corner
+from skfem.helpers import dot, grad
+from skfem.refdom import RefHex
+
+HEXAHEDRON_IN_VTK = [number_of_corner(corner) for corner in RefHex.p.T]
+CELLS_AT_ONCE = 100000  # bounds the memory of assembly
+NEWTON_STEPS = 6  # more than enough for hexahedra that are nearly cubes; tetrahedra and cubes take one
+TOLERANCE = 1e-7  # of the solver, relative to the load
+
+
+@skfem.BilinearForm
+def stiffness(u, v, w):
+    return w.sigma * dot(grad(u), grad(v))
+
+
+class Samples:
+    """Points in cells: the cells' nodes, shape functions (nodes, points) and their gradients (axes, nodes, points)."""
+
+    def __init__(self, mesh, element, cells, local):
+        self.cells = cells
+        self.nodes = mesh.t[:, cells]
+        shapes = [element.gbasis(mesh.mapping(), local, n, tind=cells)[0] for n in range(len(self.nodes))]
+        self.values = np.stack([np.broadcast_to(s.value[..., 0], len(cells)) for s in shapes])
+        self.gradients = np.stack([s.grad[..., 0] for s in shapes], axis=1)
+
+    def value_of(self, nodal):
+        """nodal: (nodes, ...); result (points, ...)."""
+        return np.einsum("np,np...->p...", self.values, nodal[self.nodes])
+
+    def gradient_of(self, nodal):
+        """Result (axes, points, ...)."""
+        return np.einsum("anp,np...->ap...", self.gradients, nodal[self.nodes])
+
+
+class Conductor:
+    """A labelled grid in mm as a conductor; everything that goes in and comes out is in m and S/m."""
+
+    def __init__(self, grid, conductivities):
+        self.grid = grid
+        self.labels = np.asarray(grid["label"]).astype(int)
+        self.sigma = np.array([0.0, *conductivities])[self.labels]
+        points = np.ascontiguousarray(grid.points.T, float) * 1e-3
+        (cells,) = grid.cells_dict.values()
+        if cells.shape[1] == len(CORNERS):
+            self.mesh = skfem.MeshHex(points, np.ascontiguousarray(cells.T[HEXAHEDRON_IN_VTK], np.int64))
+            self.element = skfem.ElementHex1()
+        else:
+            self.mesh = skfem.MeshTet(points, np.ascontiguousarray(cells.T, np.int64), sort_t=False)
+            self.element = skfem.ElementTetP1()
+
+    def assemble(self):
+        matrix = 0
+        cells = np.arange(len(self.sigma))
+        for part in np.array_split(cells, -(-len(cells) // CELLS_AT_ONCE)):
+            basis = skfem.Basis(self.mesh, self.element, elements=part, intorder=2)
+            matrix += stiffness.assemble(basis, sigma=np.broadcast_to(self.sigma[part, None], basis.dx.shape))
+        return matrix.tocsr()
+
+    def locate(self, points, cells):
+        """Points that are in cells, or are beside them by no more than rounding."""
+        mapping = self.mesh.mapping()
+        local = np.full((3, len(points), 1), 0.5)
+        for _ in range(NEWTON_STEPS):
+            misses = points.T[:, :, None] - mapping.F(local, tind=cells)
+            local += np.einsum("ijkl,jkl->ikl", mapping.invDF(local, tind=cells), misses)
+        return Samples(self.mesh, self.element, cells, np.clip(local, 0.0, 1.0))
+
+    def on_surface(self, points):
+        """The places of the outer surface that are the nearest to points."""
+        skin = self.grid.extract_surface(algorithm="dataset_surface", pass_cellid=True)
+        faces, places = skin.find_closest_cell(points * 1e3, return_closest_point=True)
+        return self.locate(places * 1e-3, np.asarray(skin["vtkOriginalCellIds"])[faces])
+
+    def within(self, label, points):
+        """Points in cells of a label; those that are outside of it go to the nearest place in it."""
+        part = self.grid.extract_cells(self.labels == label)
+        cells, places = part.find_closest_cell(points * 1e3, return_closest_point=True)
+        return self.locate(places * 1e-3, np.asarray(part["vtkOriginalCellIds"])[cells])
+
+    def solve(self, electrodes):
+        """Potentials (nodes, electrodes) for 1 A into each electrode, out of all of them in equal parts."""
+        at = self.on_surface(electrodes)
+        loads = np.zeros((self.mesh.nvertices, len(electrodes)))
+        np.add.at(loads, (at.nodes, np.arange(len(electrodes))), at.values)
+        loads -= loads.mean(axis=1, keepdims=True)
+        matrix = self.assemble()
+        matrix[0, 0] *= 2.0  # ground at one node: no current goes there, and the solution is unique
+        solver = pyamg.smoothed_aggregation_solver(matrix, symmetry="symmetric")
+        potentials = np.empty_like(loads)
+        for electrode, load in enumerate(loads.T):
+            residuals = []
+            potentials[:, electrode] = solver.solve(load, tol=TOLERANCE, accel="cg", maxiter=200, residuals=residuals)
+            if residuals[-1] > 10 * TOLERANCE * np.linalg.norm(load):
+                raise RuntimeError("The solver did not converge.")
+        return potentials
+
+    def smooth_gradient(self, label, nodal):
+        """Gradients (axes, nodes, ...) at the nodes of a label: the mean of those of its cells there, by their volumes."""
+        cells = np.flatnonzero(self.labels == label)
+        middle = np.full((3, 1), 0.25 if len(self.mesh.t) == 4 else 0.5)
+        samples = Samples(self.mesh, self.element, cells, middle)
+        volumes = np.abs(self.mesh.mapping().detDF(middle, tind=cells))[:, 0]
+        share = scipy.sparse.csr_matrix(
+            (
+                np.tile(volumes, len(self.mesh.t)),
+                (samples.nodes.ravel(), np.tile(np.arange(len(cells)), len(self.mesh.t))),
+            ),
+            shape=(self.mesh.nvertices, len(cells)),
+        )
+        total = np.maximum(share.sum(axis=1).A, np.finfo(float).tiny)
+        return np.stack([share @ gradient / total for gradient in samples.gradient_of(nodal)])
+
+
+def monopoles(conductor, label, positions, moments, reach=0.02, weight=1e-6):
+    """St. Venant's loads: currents (nodes, dipoles) into the nodes around the one of a label that is the nearest.
+
+    They have no sum, the dipole's moment and no second moments, as nearly as they can be, with least currents far away
+    (Buchner et al., Phys. Med. Biol. 42, 1997; mixed moments as in Medani et al., Prog. Electromagn. Res. 153, 2015).
+    Moments count in units of `reach`, in m."""
+    mesh = conductor.mesh
+    cells = mesh.t[:, conductor.labels == label]
+    ids = np.unique(cells)
+    cloud = pyvista.PolyData(mesh.p.T[ids])
+    owners = scipy.sparse.csr_matrix(
+        (np.ones(cells.size, bool), (cells.ravel(), np.tile(np.arange(cells.shape[1]), len(cells)))),
+        shape=(mesh.nvertices, cells.shape[1]),
+    )
+    products = [(a, b) for a in range(3) for b in range(a, 3)]
+    rows, columns, currents = [], [], []
+    for dipole, (position, moment) in enumerate(zip(positions, moments)):
+        nearest = ids[cloud.find_closest_point(position)]
+        around = np.unique(cells[:, owners[nearest].indices])
+        offset = (mesh.p.T[around] - position) / reach
+        equations = np.vstack([np.ones(len(around)), offset.T, *(offset[:, a] * offset[:, b] for a, b in products)])
+        wanted = np.concatenate([[0.0], moment / reach, np.zeros(len(products))])
+        penalty = weight * np.diag(np.sum(offset**2, axis=1))
+        currents.append(np.linalg.solve(equations.T @ equations + penalty, equations.T @ wanted))
+        rows.append(around)
+        columns.append(np.full(len(around), dipole))
+    shape = (mesh.nvertices, len(positions))
+    return scipy.sparse.csr_matrix(
+        (np.concatenate(currents), (np.concatenate(rows), np.concatenate(columns))), shape=shape
+    )
