@@ -63,3 +63,13 @@ endif()
 if(BUILD_TESTING)
   add_subdirectory(test)
 endif()
+if(BUILD_TESTING AND TARGET multimaterial-mesh AND TARGET make-head-phantom)
+  add_test(
+    NAME InstallationServesAnotherProject
+    COMMAND
+      "${CMAKE_COMMAND}" "-DBUILD=${CMAKE_BINARY_DIR}" "-DEXAMPLE=${CMAKE_CURRENT_SOURCE_DIR}/examples/use-in-cxx"
+      "-DGENERATOR=${CMAKE_GENERATOR}" "-DPHANTOM=$<TARGET_FILE:make-head-phantom>"
+      "-DWORK=${CMAKE_BINARY_DIR}/installation" -P
+      "${CMAKE_CURRENT_SOURCE_DIR}/test/installation/CheckInstallation.cmake"
+  )
+endif()
