@@ -25,8 +25,8 @@ namespace mmm
 BlockComplex::BlockComplex(const SampleLattice & lattice, int samplesPerBlock)
   : m_Lattice(lattice)
   , m_SamplesPerBlock(samplesPerBlock)
-  , m_Origin(lattice.Position({ { 0, 0, 0 } }))
-  , m_BlockSize(lattice.Position({ { samplesPerBlock, samplesPerBlock, samplesPerBlock } }) - m_Origin)
+  , m_Origin(lattice.Position(Index{ { 0, 0, 0 } }))
+  , m_BlockSize(lattice.Position(Index{ { samplesPerBlock, samplesPerBlock, samplesPerBlock } }) - m_Origin)
 {
   for (int a = 0; a < 3; ++a)
   {
