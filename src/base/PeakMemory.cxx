@@ -17,6 +17,10 @@
  *=========================================================================*/
 #include "base/PeakMemory.h"
 
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
 #if defined(_WIN32)
 #  ifndef NOMINMAX
 #    define NOMINMAX
@@ -38,6 +42,17 @@ PeakMemory()
            ? static_cast<double>(counters.PeakWorkingSetSize) / (1024.0 * 1024.0)
            : 0.0;
 #elif defined(__unix__) || defined(__APPLE__)
+#  if defined(__linux__)
+  // The other count begins with what the process had been before it started this program.
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+  {
+    if (line.rfind("VmHWM:", 0) == 0)
+    {
+      return std::strtod(line.c_str() + 6, nullptr) / 1024.0; // kilobytes
+    }
+  }
+#  endif
   rusage usage;
   if (getrusage(RUSAGE_SELF, &usage) != 0)
   {
