@@ -26,6 +26,22 @@ namespace
 {
 constexpr double Resolution = 1e6; // parts of the grid's unit
 
+/** The lengths of the steps from voxel to voxel: the spacing, but for directions that scale it. */
+itk::Vector<double, 3>
+VoxelSizes(const GridGeometry::ImageType & image)
+{
+  // less is the rounding of directions
+  constexpr double       tolerance = 1e-4;
+  itk::Vector<double, 3> sizes = image.GetSpacing();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto & direction = image.GetDirection();
+    const double scale = std::hypot(direction[0][axis], direction[1][axis], direction[2][axis]);
+    sizes[axis] *= std::abs(scale - 1.0) > tolerance ? scale : 1.0;
+  }
+  return sizes;
+}
+
 double
 Rounded(double length)
 {
@@ -38,7 +54,7 @@ GridGeometry::GridGeometry(const ImageType * image, const RegionType & region)
   , m_Region(region)
 {
   m_Image->CopyInformation(image);
-  const auto & spacing = image->GetSpacing();
+  const auto spacing = VoxelSizes(*image);
   m_Unit = std::min({ spacing[0], spacing[1], spacing[2] });
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
