@@ -49,7 +49,7 @@ MultiMaterialMeshing_EXPORT LabelCounts
 CountLabels(const LabelImage * image);
 
 /** What makes an image look like one of intensities, as a text that goes after "the image "; empty for a label image.
- * Too many values do, or many that change from voxel to voxel. `counts` are those of the image. */
+ * Many values that change from voxel to voxel do; many labels of some size do not. `counts` are those of the image. */
 MultiMaterialMeshing_EXPORT std::string
                             DescribeIntensities(const LabelImage * image, const LabelCounts & counts);
 

@@ -117,6 +117,12 @@ public:
   itkSetMacro(AirMargin, double);
   itkGetConstMacro(AirMargin, double);
 
+  /** Whether an image that looks like one of intensities, of more than 32 values that change from voxel to voxel, is
+   * meshed, each value as a label, rather than refused. Default: false. */
+  itkSetMacro(AcceptIntensities, bool);
+  itkGetConstMacro(AcceptIntensities, bool);
+  itkBooleanMacro(AcceptIntensities);
+
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
   itkSetMacro(MinimumIslandSize, SizeValueType);
@@ -222,6 +228,7 @@ private:
   LabelsType    m_ExteriorLabels{ 0 };
   bool          m_FillExterior{ false };
   double        m_AirMargin{ Superclass::Automatic };
+  bool          m_AcceptIntensities{ false };
   SizeValueType m_MinimumIslandSize{ 8 };
   double        m_Radius{ Superclass::Automatic };
   bool          m_KeepIntermediates{ false };

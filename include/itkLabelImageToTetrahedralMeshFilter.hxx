@@ -60,6 +60,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetInputs() const
   inputs.options.exteriorLabels = m_ExteriorLabels;
   inputs.options.fillExterior = m_FillExterior;
   inputs.options.airMargin = m_AirMargin;
+  inputs.acceptIntensities = m_AcceptIntensities;
   inputs.options.minimumIslandSize = m_MinimumIslandSize;
   inputs.options.radius = m_Radius;
   inputs.options.keepIntermediates = m_KeepIntermediates;
@@ -112,6 +113,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "ExteriorLabels: " << m_ExteriorLabels << std::endl;
   os << indent << "FillExterior: " << (m_FillExterior ? "On" : "Off") << std::endl;
   os << indent << "AirMargin: " << m_AirMargin << std::endl;
+  os << indent << "AcceptIntensities: " << (m_AcceptIntensities ? "On" : "Off") << std::endl;
   os << indent << "MinimumIslandSize: " << m_MinimumIslandSize << std::endl;
   os << indent << "Radius: " << m_Radius << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;

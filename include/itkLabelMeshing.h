@@ -29,8 +29,10 @@ struct LabelMeshingInputs
 {
   LabelImage::ConstPointer labels;
   LabelOptions             options;
-  SizingInputs             sizing;
-  MeshingOptions           meshing;
+  /** Whether an image that looks like one of intensities is taken for labels. */
+  bool           acceptIntensities{ false };
+  SizingInputs   sizing;
+  MeshingOptions meshing;
   /** Where the indicators are to follow functions of the materials, on the image's grid, rather than the labels: these
    * and the labels of each. If none is exterior, the exterior's is what they leave. */
   IndicatorInputs functions;

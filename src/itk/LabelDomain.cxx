@@ -33,6 +33,11 @@ LabelDomain::LabelDomain(const LabelMeshingInputs & inputs)
   , m_Counts(CountLabels(m_Image))
 {
   this->VerifyLabels();
+  const std::string intensities = DescribeIntensities(m_Image, m_Counts);
+  if (!intensities.empty() && !inputs.acceptIntensities)
+  {
+    itkGenericExceptionMacro("The image " << intensities << '.');
+  }
   this->VerifyRegionOfInterest(inputs.sizing.region);
   if (!std::isnan(m_Options.airMargin))
   {
@@ -56,11 +61,6 @@ LabelDomain::VerifyLabels() const
       }))
   {
     itkGenericExceptionMacro("All labels of the image are exterior: there is nothing to mesh.");
-  }
-  const std::string intensities = DescribeIntensities(m_Image, m_Counts);
-  if (!intensities.empty())
-  {
-    itkGenericExceptionMacro("The image " << intensities << '.');
   }
 }
 

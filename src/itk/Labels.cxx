@@ -42,8 +42,6 @@ CountLabels(const LabelImage * image)
 std::string
 DescribeIntensities(const LabelImage * image, const LabelCounts & counts)
 {
-  // No atlas in use has so many labels.
-  constexpr std::size_t maximumLabels = 1000;
   // Fewer values than these are a label image, however noisy.
   constexpr std::size_t minimumIntensities = 33;
   // Half of the neighbours on a row differ in an intensity image; one in ten do in a fine atlas.
@@ -66,14 +64,13 @@ DescribeIntensities(const LabelImage * image, const LabelCounts & counts)
     changes += isChange;
     last = label;
   });
-  if (counts.size() <= maximumLabels && static_cast<double>(changes) <= maximumChangeRate * static_cast<double>(pairs))
+  if (static_cast<double>(changes) <= maximumChangeRate * static_cast<double>(pairs))
   {
     return {};
   }
   std::ostringstream text;
   text << "has " << counts.size() << " values, from " << counts.begin()->first << " to " << counts.rbegin()->first
-       << ", and looks like an intensity image; segment it first, or map its values to at most " << maximumLabels
-       << " labels";
+       << " that change from voxel to voxel, and looks like an intensity image; segment it first";
   return text.str();
 }
 
