@@ -18,7 +18,7 @@
 #ifndef mmmFileComposer_h
 #define mmmFileComposer_h
 
-#include "io/AtomicFile.h"
+#include "itkOutputFile.h"
 
 #include <cstdint>
 #include <string>
@@ -63,9 +63,9 @@ private:
   void
   FlushIfLarge();
 
-  AtomicFile  m_File;
-  bool        m_Binary;
-  std::string m_Buffer;
+  itk::OutputFile m_File;
+  bool            m_Binary;
+  std::string     m_Buffer;
 };
 } // namespace mmm
 

@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUFile.h"
-#include "io/AtomicFile.h"
+#include "itkOutputFile.h"
 #include "io/vtu/VTUFormat.h"
 
 #include "itkByteSwapper.h"
@@ -69,7 +69,7 @@ void
 WriteVTUFile(const std::string & fileName, const VTUContent & content)
 {
   CheckCounts(content);
-  AtomicFile file(fileName);
+  itk::OutputFile file(fileName);
   file.Write(OpeningTags(content) + DataTag("PointData", content.pointScalars));
   file.Write(content.pointData);
   file.Write("      </PointData>\n" + DataTag("CellData", content.cellScalars));

@@ -15,39 +15,25 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#ifndef mmmAtomicFile_h
-#define mmmAtomicFile_h
+#ifndef mmmTriangleFile_h
+#define mmmTriangleFile_h
 
-#include <cstddef>
-#include <cstdio>
+#include "itkMultiMaterialMeshTypes.h"
+
 #include <string>
 
 namespace mmm
 {
-/** \brief A file that appears under its name only when it is complete.
+/** \brief Write triangles without labels, in formats that have none. Throw itk::ExceptionObject; no incomplete file is
+ * left behind.
  *
- * It is written under a temporary name in the same folder, which Commit() replaces by its own. An object that goes
- * without Commit() leaves nothing behind. Failures throw std::runtime_error with the reason of the operating system. */
-class AtomicFile
-{
-public:
-  explicit AtomicFile(const std::string & fileName);
-  ~AtomicFile();
-  AtomicFile(const AtomicFile &) = delete;
-  AtomicFile &
-  operator=(const AtomicFile &) = delete;
-
-  void
-  Write(const std::string & text);
-
-  void
-  Commit();
-
-private:
-  std::string m_FileName;
-  std::string m_TemporaryName;
-  std::FILE * m_File{ nullptr };
-};
+ * STL (binary) and OBJ tell 3D Slicer whether points are in LPS or RAS, in a comment. */
+void
+WriteSTL(const itk::LabelInterfaceMesh * mesh, const std::string & fileName, bool ras);
+void
+WriteOBJ(const itk::LabelInterfaceMesh * mesh, const std::string & fileName, bool ras);
+void
+WriteOFF(const itk::LabelInterfaceMesh * mesh, const std::string & fileName, bool ras);
 } // namespace mmm
 
 #endif

@@ -1,0 +1,130 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef itkLabelMeshFileWriter_h
+#define itkLabelMeshFileWriter_h
+
+#include "itkMultiMaterialMeshCompatibility.h"
+#include "itkMultiMaterialMeshTypes.h"
+#include "MultiMaterialMeshingExport.h"
+
+#include "itkObject.h"
+#include "itkObjectFactory.h"
+
+#include <string>
+#include <vector>
+
+namespace itk
+{
+class MeshIOBase;
+
+/** \class LabelMeshFileWriter
+ * \brief Writes a mesh's tetrahedra or the surface between its labels to a file of the format that its name tells.
+ *
+ * - `.vtu`: the tetrahedra with the cell array `label`; without tetrahedra, the triangles with `label_a` and `label_b`.
+ * - `.msh` (Gmsh) and `.mesh` (Medit): the triangles, a group for each pair of labels, and the tetrahedra, a group for
+ *   each label, if there are some.
+ * - `.stl`, `.obj`, `.off`: the triangles, without labels.
+ *
+ * The surface's points have to be the first ones of the tetrahedra's, as they are from the filters of this module. A
+ * file appears under its name only when it is complete, see OutputFile.
+ *
+ * \ingroup IOFilters
+ * \ingroup MultiMaterialMeshing
+ */
+class MultiMaterialMeshing_EXPORT LabelMeshFileWriter : public Object
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LabelMeshFileWriter);
+
+  using Self = LabelMeshFileWriter;
+  using Superclass = Object;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+  itkOverrideGetNameOfClassMacro(LabelMeshFileWriter);
+
+  /** None (null, the default) writes the surface alone. */
+  itkSetConstObjectMacro(Tetrahedra, LabelTetrahedralMesh);
+  itkGetConstObjectMacro(Tetrahedra, LabelTetrahedralMesh);
+
+  /** Needed for all but tetrahedra in a `.vtu` file. */
+  itkSetConstObjectMacro(Surface, LabelInterfaceMesh);
+  itkGetConstObjectMacro(Surface, LabelInterfaceMesh);
+
+  itkSetStringMacro(FileName);
+  itkGetStringMacro(FileName);
+
+  /** Of `.msh` files: one of GetMshFormats(). "simnibs" is version 2.2 with points in RAS and the numbers of SimNIBS:
+   * labels from 1 to 999, and for a surface 1000 and the label of the tissue inside. Default "4.1". */
+  itkSetStringMacro(MshFormat);
+  itkGetStringMacro(MshFormat);
+
+  /** Whether points are in RAS, in files that cannot say that theirs are in LPS: all but `.vtu`. Default false. */
+  itkSetMacro(RAS, bool);
+  itkGetConstMacro(RAS, bool);
+  itkBooleanMacro(RAS);
+
+  /** The label of what is not meshed, GetOutsideLabel() of the filters. Used by "simnibs". Default 0. */
+  itkSetMacro(OutsideLabel, int);
+  itkGetConstMacro(OutsideLabel, int);
+
+  /** Throws an ExceptionObject, and leaves no file, if it cannot. */
+  void
+  Write() const;
+
+  /** What there is for `.msh` files: "4.1", "4.1-ascii", "2.2", "2.2-ascii", "simnibs". */
+  static const std::vector<std::string> &
+  GetMshFormats();
+
+  /** The extensions of files for tetrahedra, and of those for surfaces, with their points. */
+  static const std::vector<std::string> &
+  GetVolumeExtensions();
+  static const std::vector<std::string> &
+  GetSurfaceExtensions();
+
+  /** The one of these that the file name ends with; an empty text if there is none. */
+  static std::string
+  FindExtension(const std::string & fileName, const std::vector<std::string> & extensions);
+
+protected:
+  LabelMeshFileWriter() = default;
+  ~LabelMeshFileWriter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+private:
+  bool
+  IsForSimNIBS() const;
+  template <typename TMesh>
+  void
+  WriteBy(MeshIOBase * io, const TMesh * mesh, bool isText = false) const;
+  void
+  WriteGroups(const std::string & extension) const;
+
+  LabelTetrahedralMesh::ConstPointer m_Tetrahedra;
+  LabelInterfaceMesh::ConstPointer   m_Surface;
+  std::string                        m_FileName;
+  std::string                        m_MshFormat{ "4.1" };
+  bool                               m_RAS{ false };
+  int                                m_OutsideLabel{ 0 };
+};
+} // end namespace itk
+
+#endif

@@ -1,0 +1,183 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+// The writer gets its IO from here. ITK generates no header that registers mesh IOs if none of its own are in use.
+#undef ITK_IO_FACTORY_REGISTER_MANAGER
+
+#include "itkLabelMeshFileWriter.h"
+
+#include "itkGmshMeshIO.h"
+#include "itkMeditMeshIO.h"
+#include "itkVTUMeshIO.h"
+#include "output/GroupedMesh.h"
+#include "output/TriangleFile.h"
+
+#include "itkMeshFileWriter.h"
+
+#include <algorithm>
+
+namespace itk
+{
+namespace
+{
+bool
+EndsWith(const std::string & text, const std::string & end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+} // namespace
+
+const std::vector<std::string> &
+LabelMeshFileWriter::GetMshFormats()
+{
+  static const std::vector<std::string> formats{ "4.1", "4.1-ascii", "2.2", "2.2-ascii", "simnibs" };
+  return formats;
+}
+
+const std::vector<std::string> &
+LabelMeshFileWriter::GetVolumeExtensions()
+{
+  static const std::vector<std::string> extensions{ ".vtu", ".msh", ".mesh" };
+  return extensions;
+}
+
+const std::vector<std::string> &
+LabelMeshFileWriter::GetSurfaceExtensions()
+{
+  static const std::vector<std::string> extensions{ ".vtu", ".msh", ".mesh", ".stl", ".obj", ".off" };
+  return extensions;
+}
+
+std::string
+LabelMeshFileWriter::FindExtension(const std::string & fileName, const std::vector<std::string> & extensions)
+{
+  const auto found = std::find_if(extensions.begin(), extensions.end(), [&](const std::string & extension) {
+    return fileName.size() > extension.size() && EndsWith(fileName, extension);
+  });
+  return found == extensions.end() ? "" : *found;
+}
+
+bool
+LabelMeshFileWriter::IsForSimNIBS() const
+{
+  return m_MshFormat == "simnibs";
+}
+
+template <typename TMesh>
+void
+LabelMeshFileWriter::WriteBy(MeshIOBase * io, const TMesh * mesh, bool isText) const
+{
+  const auto writer = MeshFileWriter<TMesh>::New();
+  writer->SetInput(mesh);
+  writer->SetFileName(m_FileName);
+  writer->SetMeshIO(io);
+  writer->UseCompressionOn();
+  if (isText)
+  {
+    writer->SetFileTypeAsASCII();
+  }
+  else
+  {
+    writer->SetFileTypeAsBINARY();
+  }
+  writer->Update();
+}
+
+void
+LabelMeshFileWriter::WriteGroups(const std::string & extension) const
+{
+  const bool isMedit = extension == ".mesh";
+  const auto grouped = this->IsForSimNIBS() && !isMedit
+                         ? mmm::MakeGroupedMeshForSimNIBS(m_Tetrahedra, m_Surface, m_OutsideLabel)
+                         : mmm::MakeGroupedMesh(m_Tetrahedra, m_Surface);
+  if (isMedit)
+  {
+    const auto io = MeditMeshIO::New();
+    io->SetRAS(m_RAS);
+    io->SetGroupNames(grouped.names);
+    this->WriteBy(io.GetPointer(), grouped.mesh.GetPointer(), true);
+    return;
+  }
+  const auto io = GmshMeshIO::New();
+  io->SetRAS(m_RAS || this->IsForSimNIBS());
+  io->SetVersion2(m_MshFormat.front() == '2' || this->IsForSimNIBS());
+  // SimNIBS's reader wants the nodes to come first.
+  io->SetWriteGroupNames(!this->IsForSimNIBS());
+  io->SetGroupNames(grouped.names);
+  this->WriteBy(io.GetPointer(), grouped.mesh.GetPointer(), EndsWith(m_MshFormat, "ascii"));
+}
+
+void
+LabelMeshFileWriter::Write() const
+{
+  const auto &      formats = GetMshFormats();
+  const std::string extension =
+    FindExtension(m_FileName, m_Tetrahedra ? GetVolumeExtensions() : GetSurfaceExtensions());
+  if (extension.empty())
+  {
+    itkExceptionMacro("The file name '" << m_FileName << "' has no extension that "
+                                        << (m_Tetrahedra ? "tetrahedra" : "surfaces") << " are written to.");
+  }
+  if (std::find(formats.begin(), formats.end(), m_MshFormat) == formats.end())
+  {
+    itkExceptionMacro("There is no MshFormat '" << m_MshFormat << "'.");
+  }
+  if (m_Tetrahedra && extension == ".vtu")
+  {
+    this->WriteBy(VTUMeshIO::New().GetPointer(), m_Tetrahedra.GetPointer());
+    return;
+  }
+  if (!m_Surface)
+  {
+    itkExceptionMacro("The file " << m_FileName << " needs the surface, and there is none.");
+  }
+  if (extension == ".vtu")
+  {
+    const auto io = VTUMeshIO::New();
+    io->SetCellDataNames({ "label_a", "label_b" });
+    this->WriteBy(io.GetPointer(), m_Surface.GetPointer());
+  }
+  else if (extension == ".stl")
+  {
+    mmm::WriteSTL(m_Surface, m_FileName, m_RAS);
+  }
+  else if (extension == ".obj")
+  {
+    mmm::WriteOBJ(m_Surface, m_FileName, m_RAS);
+  }
+  else if (extension == ".off")
+  {
+    mmm::WriteOFF(m_Surface, m_FileName, m_RAS);
+  }
+  else
+  {
+    this->WriteGroups(extension);
+  }
+}
+
+void
+LabelMeshFileWriter::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Tetrahedra: " << m_Tetrahedra.GetPointer() << '\n';
+  os << indent << "Surface: " << m_Surface.GetPointer() << '\n';
+  os << indent << "FileName: " << m_FileName << '\n';
+  os << indent << "MshFormat: " << m_MshFormat << '\n';
+  os << indent << "RAS: " << (m_RAS ? "On" : "Off") << '\n';
+  os << indent << "OutsideLabel: " << m_OutsideLabel << '\n';
+}
+} // end namespace itk
