@@ -15,14 +15,14 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "CommandLine.h"
-#include "Errors.h"
-#include "HelpText.h"
-#include "Interruption.h"
-#include "Run.h"
-#include "SlicerDescription.h"
-#include "Version.h"
-#include "Warnings.h"
+#include "options/CommandLine.h"
+#include "console/Errors.h"
+#include "options/HelpText.h"
+#include "console/Interruption.h"
+#include "run/Run.h"
+#include "options/SlicerDescription.h"
+#include "options/Version.h"
+#include "console/Warnings.h"
 
 #include "itksys/Encoding.hxx"
 #include "itkVersion.h"

@@ -19,9 +19,11 @@
 // use.
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 
+#include "console/Errors.h"
 #include "itkGmshMeshIO.h"
 #include "itkMeditMeshIO.h"
 #include "itkOptimizeTetrahedralMeshFilter.h"
+#include "itkOutputFile.h"
 #include "itkVTUMeshIO.h"
 #include "MultiMaterialMeshingQuality.h"
 
@@ -31,11 +33,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <new>
 #include <string>
 
 namespace
@@ -56,9 +56,8 @@ struct Settings
 };
 
 void
-PrintError(std::string text)
+PrintError(const std::string & text)
 {
-  std::replace(text.begin(), text.end(), '\n', ' ');
   std::cerr << "optimize-tetrahedral-mesh: error: " << text << std::endl;
 }
 
@@ -106,6 +105,12 @@ Optimize(const Settings & settings)
   const auto writer = itk::MeshFileWriter<Mesh>::New();
   reader->SetMeshIO(MakeIO(settings.input));
   writer->SetMeshIO(MakeIO(settings.output));
+  if (itk::OutputFile::IsSame(settings.input, settings.output))
+  {
+    // triangles and other cells of the input are not in the output
+    throw cli::UsageError("INPUT and OUTPUT are the same file, " + settings.output + "; choose another name");
+  }
+  itk::OutputFile::CheckWritable(settings.output);
   if (settings.threads > 0)
   {
     itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(settings.threads);
@@ -178,20 +183,17 @@ main(int argc, char * argv[])
   }
   catch (const CLI::ParseError & error)
   {
+    PrintError(cli::ToOneLine(error.what()));
+    return UsageFailure;
+  }
+  catch (const cli::UsageError & error)
+  {
     PrintError(error.what());
     return UsageFailure;
   }
-  catch (const itk::ExceptionObject & error)
+  catch (...)
   {
-    PrintError(error.GetDescription());
-  }
-  catch (const std::bad_alloc &)
-  {
-    PrintError("out of memory");
-  }
-  catch (const std::exception & error)
-  {
-    PrintError(error.what());
+    PrintError(cli::DescribeCurrentException());
   }
   return EXIT_FAILURE;
 }

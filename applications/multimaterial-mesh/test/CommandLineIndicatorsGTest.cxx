@@ -103,6 +103,15 @@ TEST_F(CommandLineIndicators, GetTheLabelsOneTwoThreeAndTheRestIsExterior)
   EXPECT_NEAR((volumes.at(1) + volumes.at(2)) / LargeBall, 1.0, 0.05);
 }
 
+TEST_F(CommandLineIndicators, MasksAreMeshedWithAWarning)
+{
+  const auto mask = this->WriteMap("mask.nrrd", [](double d) { return d < 6.0 ? 1.0 : 0.0; });
+  const auto result = Run({ "--indicators", mask, this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  ASSERT_EQ(result.ErrorLines().size(), 1u) << result.error;
+  EXPECT_NE(result.error.find("mask.nrrd: the image has two values only"), std::string::npos) << result.error;
+}
+
 TEST_F(CommandLineIndicators, HaveLabelsOfTheirOwn)
 {
   const auto volumes = this->Mesh({ "--indicators",

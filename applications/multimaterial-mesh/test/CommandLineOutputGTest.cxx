@@ -18,7 +18,7 @@
 // What the program writes and prints.
 #include "CommandLineTest.h"
 
-#include "OptionTable.h"
+#include "options/OptionTable.h"
 #include "itkMultiMaterialMeshTypes.h"
 #include "itkVTUMeshIO.h"
 
@@ -29,6 +29,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <fstream>
 #include <map>
 
 namespace
@@ -111,6 +113,61 @@ TEST_F(CommandLineOutput, ReplacesAnOlderFile)
   EXPECT_GT(std::filesystem::file_size(this->Path("out.vtu")), 1000u);
 }
 
+#ifndef _WIN32
+TEST_F(CommandLineOutput, SymbolicLinkIsWrittenThrough)
+{
+  std::filesystem::create_directory(this->Path("store"));
+  std::ofstream(this->Path("store/mesh.vtu")) << "old";
+  std::filesystem::create_symlink("store/mesh.vtu", this->Path("out.vtu"));
+  this->Mesh({ "--quiet" });
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Path("out.vtu")));
+  EXPECT_GT(std::filesystem::file_size(this->Path("store/mesh.vtu")), 1000u);
+  // also to a file that there is not yet
+  std::filesystem::remove(this->Path("store/mesh.vtu"));
+  this->Mesh({ "--quiet" });
+  EXPECT_TRUE(std::filesystem::is_symlink(this->Path("out.vtu")));
+  EXPECT_GT(std::filesystem::file_size(this->Path("store/mesh.vtu")), 1000u);
+}
+
+TEST_F(CommandLineOutput, PermissionsOfAnOlderFileAreKept)
+{
+  using std::filesystem::perms;
+  const auto mode = perms::owner_read | perms::owner_write | perms::group_read | perms::group_write;
+  for (const char * const name : { "out.vtu", "report.json" })
+  {
+    std::ofstream(this->Path(name)) << "old";
+    std::filesystem::permissions(this->Path(name), mode);
+  }
+  this->Mesh({ "--quiet", "--report", this->Path("report.json") });
+  EXPECT_EQ(std::filesystem::status(this->Path("out.vtu")).permissions(), mode);
+  EXPECT_EQ(std::filesystem::status(this->Path("report.json")).permissions(), mode);
+}
+#endif
+
+TEST_F(CommandLineOutput, SummaryListsFilesLabelsAndTime)
+{
+  const auto result = this->Mesh({ "--surface-per-label", this->Path("part"), "--report", this->Path("report.json") });
+  for (const char * const text :
+       { "out.vtu, ", "part2.stl, ", "part5.stl, ", "report.json\n", "label 2: ", "label 5: " })
+  {
+    EXPECT_NE(result.output.find(text), std::string::npos) << text;
+  }
+  const auto time = result.output.find("time: ");
+  ASSERT_NE(time, std::string::npos);
+  EXPECT_GT(std::stod(result.output.substr(time + 6)), 0.0);
+  // the ball of label 2 is some 1,000 mm^3
+  const auto percent = result.output.find(" mm^3, ", result.output.find("label 2: "));
+  ASSERT_NE(percent, std::string::npos);
+  EXPECT_LT(std::abs(std::stod(result.output.substr(percent + 7))), 5.0);
+}
+
+TEST_F(CommandLineOutput, ReportHasTheAffine)
+{
+  this->Mesh({ "--quiet", "--report", this->Path("report.json") });
+  const auto affine = this->Report()["input"]["affine_mm"];
+  EXPECT_EQ(affine, nlohmann::json::parse("[[1,0,0,0],[0,1,0,0],[0,0,1,0]]"));
+}
+
 TEST_F(CommandLineOutput, ExteriorNoneMeshesEverything)
 {
   this->Mesh({ "--exterior", "none" });
@@ -162,6 +219,53 @@ TEST_F(CommandLineOutput, ExteriorThatAirAddsIsNotAbsent)
             std::string::npos);
   EXPECT_NE(error({ "--fill-exterior" }).find("no voxel has the exterior label 0, so there is no air"),
             std::string::npos);
+}
+
+TEST_F(CommandLineOutput, WhatHasNoEffectWarns)
+{
+  const auto result = Run({ this->WriteBalls(), this->Path("out.vtu"), "--msh-format", "2.2", "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.error, "multimaterial-mesh: warning: --msh-format 2.2 has no effect, as no .msh file is written\n");
+}
+
+TEST_F(CommandLineOutput, LongVoxelsWarn)
+{
+  const auto   image = MakeBalls();
+  const double spacing[] = { 1.0, 1.0, 6.0 };
+  image->SetSpacing(spacing);
+  const auto result = Run({ this->WriteImage<LabelImage>(image, "long.nrrd"), this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  ASSERT_EQ(result.ErrorLines().size(), 1u) << result.error;
+  EXPECT_NE(result.error.find("warning: voxels are 6 times as long as wide"), std::string::npos) << result.error;
+}
+
+TEST_F(CommandLineOutput, ShearedImageIsMeshedWhereItIs)
+{
+  const auto                image = MakeBalls();
+  LabelImage::DirectionType direction;
+  direction.SetIdentity();
+  direction(0, 1) = 0.6;
+  direction(1, 1) = 0.8;
+  image->SetDirection(direction);
+  const auto result = Run({ this->WriteImage<LabelImage>(image, "sheared.nrrd"),
+                            this->Path("out.vtu"),
+                            "--quiet",
+                            "--report",
+                            this->Path("report.json") });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_NE(result.error.find("its axes are not at right angles (53.1 degrees)"), std::string::npos) << result.error;
+  double meshed = 0.0;
+  for (const auto & label : this->Report()["quality"]["labels"])
+  {
+    meshed += label["volume_mm3"].get<double>();
+    EXPECT_EQ(label["non_positive"], 0);
+  }
+  double voxels = 0.0;
+  for (const auto & label : this->Report()["input"]["labels"])
+  {
+    voxels += label["label"] == 0 ? 0.0 : label["voxels"].get<double>();
+  }
+  EXPECT_NEAR(meshed / (0.8 * voxels), 1.0, 0.03);
 }
 
 TEST_F(CommandLineOutput, QuietIsQuiet) { EXPECT_EQ(this->Mesh({ "--quiet" }).output, ""); }

@@ -18,7 +18,7 @@
 // What the program says of command lines that it does not understand, and of outputs that it cannot write.
 #include "CommandLineTest.h"
 
-#include "OptionTable.h"
+#include "options/OptionTable.h"
 
 #include <algorithm>
 #include <fstream>
@@ -185,12 +185,10 @@ TEST_F(CommandLineUsage, HelpListsAllOptionsWithUnits)
     const auto result = Run({ option });
     EXPECT_EQ(result.exitCode, 0);
     EXPECT_EQ(result.error, "");
-    for (const auto & entry : cli::OptionTable())
-    {
-      EXPECT_NE(result.output.find(entry.IsPositional() ? entry.name : "--" + entry.name), std::string::npos)
-        << entry.name;
+    cli::ForEachOption([&](const auto & entry) {
+      EXPECT_NE(result.output.find(cli::NameOf(entry)), std::string::npos) << entry.name;
       EXPECT_NE(result.output.find(entry.unit), std::string::npos) << entry.name;
-    }
+    });
   }
 }
 
@@ -212,14 +210,13 @@ TEST_F(CommandLineUsage, ParametersPageHasARowForEachOption)
       rows += line + '\n';
     }
   }
-  for (const auto & entry : cli::OptionTable())
-  {
+  cli::ForEachOption([&](const auto & entry) {
     if (!entry.IsPositional())
     {
       const std::string usage = cli::NameOf(entry) + (entry.placeholder.empty() ? "" : " " + entry.placeholder);
       EXPECT_NE(rows.find('`' + usage + '`'), std::string::npos) << usage;
     }
-  }
+  });
 }
 
 TEST_F(CommandLineUsage, Version)

@@ -44,6 +44,20 @@ public:
 };
 } // namespace
 
+TEST_F(OptimizeTetrahedralMesh, InputIsNotOverwritten)
+{
+  ASSERT_EQ(Run({ this->WriteBalls(), this->Path("in.msh"), "--quiet" }).exitCode, 0);
+  const auto before = this->Contents("in.msh");
+  ExpectFailure({ this->Path("in.msh"), this->Path("./in.msh") }, 2, "INPUT and OUTPUT are the same file");
+  EXPECT_EQ(this->Contents("in.msh"), before);
+}
+
+TEST_F(OptimizeTetrahedralMesh, FolderOfTheOutputIsCheckedFirst)
+{
+  ASSERT_EQ(Run({ this->WriteBalls(), this->Path("in.vtu"), "--quiet" }).exitCode, 0);
+  ExpectFailure({ this->Path("in.vtu"), this->Path("missing/out.vtu") }, 1, "does not exist; create it first");
+}
+
 TEST_F(OptimizeTetrahedralMesh, ReadsAndWritesAllFormats)
 {
   const auto labels = this->WriteBalls();

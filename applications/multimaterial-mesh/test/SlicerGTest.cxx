@@ -18,7 +18,7 @@
 // What 3D Slicer asks of the programs that it runs.
 #include "CommandLineTest.h"
 
-#include "OptionTable.h"
+#include "options/OptionTable.h"
 
 // The header of ITK's own or the system's expat: ITK installs the first name from version 6 on.
 #if __has_include("itk_expat.h")
@@ -145,22 +145,21 @@ TEST_F(SlicerModule, DescriptionListsExactlyTheOptions)
     }
   }
   std::set<std::string> expected;
-  for (const auto & option : cli::OptionTable())
-  {
-    if (!option.isForCommandLine)
+  cli::ForEachOption([&](const auto & option) {
+    if (option.audience != cli::Audience::CommandLine)
     {
-      expected.insert(option.IsPositional() ? option.name : "--" + option.name);
+      expected.insert(cli::NameOf(option));
     }
-  }
+  });
   EXPECT_EQ(described, expected);
 }
 
 TEST_F(SlicerModule, DescriptionHasTheGroupsOfTheTable)
 {
   std::set<std::string> expected;
-  for (const auto & option : cli::OptionTable())
+  for (const auto & group : cli::OptionTable())
   {
-    expected.insert(option.group);
+    expected.insert(group.name);
   }
   const auto groups = Describe().groups;
   EXPECT_EQ(std::set<std::string>(groups.begin(), groups.end()), expected);

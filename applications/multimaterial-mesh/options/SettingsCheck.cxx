@@ -1,0 +1,111 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "options/SettingsCheck.h"
+
+#include "console/Errors.h"
+#include "options/FileNames.h"
+
+#include <sstream>
+
+namespace cli
+{
+namespace
+{
+/** Whether a file is written that does not say what its points are in. */
+bool
+HasFileWithoutSpace(const Settings & settings)
+{
+  const auto isVTU = [](const std::string & name) {
+    return name.empty() || FindExtension(Kind::Particles, name) == ".vtu";
+  };
+  return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
+}
+
+void
+CheckRegion(const Settings & settings)
+{
+  const auto & smallest = settings.roiMinSize;
+  const auto & largest = settings.roiMaxSize;
+  if (settings.roi.empty() != !(smallest || largest))
+  {
+    throw UsageError("--roi needs --roi-min-size or --roi-max-size, and these need --roi");
+  }
+  if (smallest && largest && *smallest > *largest)
+  {
+    std::ostringstream message;
+    message << "--roi-min-size is " << *smallest << " mm, but --roi-max-size is only " << *largest << " mm";
+    throw UsageError(message.str());
+  }
+}
+} // namespace
+
+void
+CheckSettings(const Settings & settings)
+{
+  CheckFileFormats(settings);
+  if (settings.minSize && settings.maxSize && *settings.minSize > *settings.maxSize)
+  {
+    std::ostringstream message;
+    message << "--min-size is " << *settings.minSize << " mm, but --max-size is only " << *settings.maxSize << " mm";
+    throw UsageError(message.str());
+  }
+  if (settings.sizingMode == "replace" && settings.sizingImage.empty())
+  {
+    throw UsageError("--sizing-mode replace needs --sizing-image");
+  }
+  CheckRegion(settings);
+  if (settings.IsFilled() && settings.exterior.empty())
+  {
+    throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");
+  }
+  if (!settings.onlyLabels.empty() && settings.exterior.empty())
+  {
+    throw UsageError("--labels needs an exterior label for all others; leave out --exterior none");
+  }
+  if (!settings.indicators.empty() &&
+      (!settings.onlyLabels.empty() || !settings.merges.empty() || !settings.labelMap.empty()))
+  {
+    throw UsageError("--labels, --merge and --map are for LABELS; choose among the --indicators instead");
+  }
+  if (settings.airMargin && !settings.indicators.empty())
+  {
+    throw UsageError("--air-margin is for LABELS; --fill-exterior meshes the exterior of --indicators");
+  }
+  if (settings.indicators.empty() && !settings.indicatorLabels.empty())
+  {
+    throw UsageError("--indicator-labels is for --indicators; LABELS have their own");
+  }
+  if (!settings.indicatorLabels.empty() && settings.indicatorLabels.size() != settings.indicators.size())
+  {
+    throw UsageError("--indicator-labels has " + std::to_string(settings.indicatorLabels.size()) + " labels for " +
+                     std::to_string(settings.indicators.size()) + " indicators");
+  }
+  if (!settings.indicators.empty() && settings.radius)
+  {
+    throw UsageError("--radius is for LABELS; interfaces of indicators are not smoothed");
+  }
+  if (settings.surfaceOnly && !settings.surface.empty())
+  {
+    throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
+  }
+  if (settings.ras && !HasFileWithoutSpace(settings))
+  {
+    throw UsageError("--ras is for other files than .vtu, which say that their points are in LPS");
+  }
+}
+} // namespace cli

@@ -1,0 +1,56 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef Input_h
+#define Input_h
+
+#include "options/Settings.h"
+#include "itkLabelImageStages.h"
+
+#include "itkImage.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli
+{
+using LabelImage = itk::Image<int, 3>;
+using ScalarImage = itk::Image<float, 3>;
+
+/** \brief What is meshed: labels or indicators. With indicators, the labels are the partition that they make. */
+struct Input
+{
+  LabelImage::Pointer               labels;
+  std::vector<ScalarImage::Pointer> indicators;
+  mmm::LabelCounts                  voxels;
+};
+
+/** Read what the settings name and check it. Throw where it cannot be meshed, and warn of what is doubtful. */
+Input
+ReadInput(const Settings & settings);
+LabelImage::Pointer
+ReadLabelImage(const std::string & fileName);
+ScalarImage::Pointer
+ReadScalarImage(const std::string & fileName);
+
+/** The label that air gets, if there is some: --fill-exterior and --air-margin ask for it. */
+std::optional<int>
+LabelOfAir(const Settings & settings, const mmm::LabelCounts & voxels);
+} // namespace cli
+
+#endif

@@ -1,0 +1,184 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "run/Report.h"
+
+#include "options/OptionTable.h"
+#include "options/Version.h"
+#include "itkMeshReport.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace cli
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json
+Number(double value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/** An object for each label: {"label": 1, <name>: <value>}. */
+template <typename TCounts>
+Json
+PerLabel(const TCounts & counts, const char * name)
+{
+  Json list = Json::array();
+  for (const auto & [label, count] : counts)
+  {
+    list.push_back({ { "label", label }, { name, count } });
+  }
+  return list;
+}
+
+template <typename TVector>
+Json
+Triple(const TVector & values)
+{
+  return { Number(values[0]), Number(values[1]), Number(values[2]) };
+}
+
+Json
+InputSection(const Outcome & outcome)
+{
+  const auto size = outcome.input.labels->GetLargestPossibleRegion().GetSize();
+  Json       section;
+  if (outcome.settings.indicators.empty())
+  {
+    section["file"] = outcome.settings.labels;
+  }
+  else
+  {
+    section["indicators"] = outcome.settings.indicators;
+    section["indicator_labels"] = outcome.settings.indicatorLabels;
+  }
+  section["size"] = { size[0], size[1], size[2] };
+  section["spacing_mm"] = Triple(outcome.input.labels->GetSpacing());
+  section["origin_mm"] = Triple(outcome.input.labels->GetOrigin());
+  // from voxel indices to points in LPS
+  section["affine_mm"] = Json::array();
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    const auto & direction = outcome.input.labels->GetDirection();
+    const auto & spacing = outcome.input.labels->GetSpacing();
+    section["affine_mm"].push_back({ Number(direction[row][0] * spacing[0]),
+                                     Number(direction[row][1] * spacing[1]),
+                                     Number(direction[row][2] * spacing[2]),
+                                     Number(outcome.input.labels->GetOrigin()[row]) });
+  }
+  section["labels"] = PerLabel(outcome.input.voxels, "voxels");
+  return section;
+}
+
+/** "max-volume" gives "max_volume_mm3". */
+std::string
+KeyOf(const Option & option)
+{
+  std::string key = option.name + (option.unit.empty() ? "" : "_" + option.unit);
+  std::replace(key.begin(), key.end(), '-', '_');
+  key.erase(std::remove(key.begin(), key.end(), '^'), key.end());
+  std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return key;
+}
+
+Json
+ToJson(double value)
+{
+  return Number(value);
+}
+
+Json
+ToJson(const std::string & text)
+{
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+Json
+ToJson(const mmm::LabelSizeRules & rules)
+{
+  return mmm::ToText(rules);
+}
+
+template <typename T>
+Json
+ToJson(const T & value)
+{
+  return value;
+}
+
+template <typename T>
+Json
+ToJson(const std::optional<T> & value)
+{
+  return value ? ToJson(*value) : Json(nullptr);
+}
+
+Json
+ParameterSection(const Settings & settings)
+{
+  Json section;
+  ForEachOption([&](const Option & option) {
+    // the input's section has the others
+    if (!option.IsPositional() && !option.IsOutput() && option.audience == Audience::All)
+    {
+      section[KeyOf(option)] = std::visit([&](auto field) { return ToJson(settings.*field); }, option.target.field);
+    }
+  });
+  return section;
+}
+
+} // namespace
+
+std::string
+MakeReport(const Outcome & outcome)
+{
+  const MeshFilter & filter = *outcome.filter;
+  itk::MeshFacts     facts;
+  facts.meshing = &filter.GetReport();
+  facts.islands = &filter.GetIslandRecords();
+  facts.vanishedLabels = &filter.GetVanishedLabels();
+  facts.stages = &outcome.stages;
+  facts.absentExteriorLabels = filter.GetAbsentExteriorLabels();
+  facts.outsideLabel = filter.GetOutsideLabel();
+  facts.tetrahedra = outcome.tetrahedra;
+  facts.surface = outcome.surface;
+  facts.image = outcome.input.labels;
+  facts.meshedRegion = filter.GetMeshedRegion();
+  facts.quality = outcome.settings.surfaceOnly ? nullptr : &outcome.quality;
+  facts.surfaceQuality = outcome.surfaceQuality;
+
+  Json report;
+  report["program"] = "multimaterial-mesh";
+  report["version"] = GetVersion();
+  report["input"] = InputSection(outcome);
+  report["output"] = outcome.settings.output;
+  report["files"] = outcome.files;
+  report["seconds"] = Number(outcome.seconds);
+  report["parameters"] = ParameterSection(outcome.settings);
+  // File names need not be UTF-8, JSON has to be.
+  const std::string own = report.dump(2, ' ', false, Json::error_handler_t::replace);
+  // one object of both: without the last brace and the first one
+  return own.substr(0, own.size() - 2) + "," + itk::MakeMeshReport(facts).substr(1);
+}
+} // namespace cli
