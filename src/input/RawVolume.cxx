@@ -76,8 +76,13 @@ private:
 std::vector<char>
 FirstBytes(const std::string & fileName, std::size_t count)
 {
+  GzipFile          file(fileName);
   std::vector<char> bytes(count);
-  bytes.resize(GzipFile(fileName).Read(bytes.data(), count));
+  bytes.resize(file.Read(bytes.data(), count));
+  if (file.IsBroken())
+  {
+    ThrowDamaged(fileName, "its compressed data is broken or incomplete");
+  }
   return bytes;
 }
 
@@ -139,7 +144,6 @@ CheckFileSize(const RawVolume & volume, double expected)
   constexpr double highestCompression = 1032.0;
   std::error_code  error;
   const auto       fileSize = static_cast<double>(fs::file_size(fs::u8path(volume.dataName), error));
-  const auto       first = FirstBytes(volume.dataName, 1);
   if (!error && fileSize * highestCompression < expected)
   {
     ThrowDamaged(volume.fileName,

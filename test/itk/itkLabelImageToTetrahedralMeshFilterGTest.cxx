@@ -592,7 +592,8 @@ TEST(LabelImageToTetrahedralMeshFilter, ThrowsOnAnIntensityImage)
   const auto filter = MakeFilter(
     mmmtest::MakeImage<LabelImage>(20, 20, 20, [](int i, int j, int k) { return (97 * i + 31 * j + 57 * k) % 200; }));
   mmmtest::ExpectException([&] { filter->Update(); },
-                           "The image has 200 values, from 0 to 199, and looks like an intensity image");
+                           "The image has 200 values, from 0 to 199 that change from voxel to voxel, and looks like an "
+                           "intensity image");
 }
 
 TEST(LabelImageToTetrahedralMeshFilter, TakesAnAtlasOfManyLabels)

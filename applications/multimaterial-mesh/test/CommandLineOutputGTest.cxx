@@ -116,15 +116,16 @@ TEST_F(CommandLineOutput, ReplacesAnOlderFile)
 #ifndef _WIN32
 TEST_F(CommandLineOutput, SymbolicLinkIsWrittenThrough)
 {
+  const std::vector<std::string> arguments{ this->WriteBalls(), this->Path("out.vtu"), "--quiet" };
   std::filesystem::create_directory(this->Path("store"));
   std::ofstream(this->Path("store/mesh.vtu")) << "old";
   std::filesystem::create_symlink("store/mesh.vtu", this->Path("out.vtu"));
-  this->Mesh({ "--quiet" });
+  EXPECT_EQ(Run(arguments).exitCode, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(this->Path("out.vtu")));
   EXPECT_GT(std::filesystem::file_size(this->Path("store/mesh.vtu")), 1000u);
   // also to a file that there is not yet
   std::filesystem::remove(this->Path("store/mesh.vtu"));
-  this->Mesh({ "--quiet" });
+  EXPECT_EQ(Run(arguments).exitCode, 0);
   EXPECT_TRUE(std::filesystem::is_symlink(this->Path("out.vtu")));
   EXPECT_GT(std::filesystem::file_size(this->Path("store/mesh.vtu")), 1000u);
 }
@@ -254,14 +255,15 @@ TEST_F(CommandLineOutput, ShearedImageIsMeshedWhereItIs)
                             this->Path("report.json") });
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_NE(result.error.find("its axes are not at right angles (53.1 degrees)"), std::string::npos) << result.error;
-  double meshed = 0.0;
-  for (const auto & label : this->Report()["quality"]["labels"])
+  const auto report = this->Report();
+  double     meshed = 0.0;
+  for (const auto & label : report["quality"]["labels"])
   {
     meshed += label["volume_mm3"].get<double>();
     EXPECT_EQ(label["non_positive"], 0);
   }
   double voxels = 0.0;
-  for (const auto & label : this->Report()["input"]["labels"])
+  for (const auto & label : report["input"]["labels"])
   {
     voxels += label["label"] == 0 ? 0.0 : label["voxels"].get<double>();
   }
