@@ -117,6 +117,26 @@ struct MeshingOptions
   double      maximumMemory{ std::numeric_limits<double>::infinity() };
 };
 
+/** \brief Which connections of the labels a mesh has. */
+enum class TopologyMode
+{
+  /** Keep where epsilon is at most 1, else Any. */
+  Automatic,
+  /** Those that the edge lengths resolve: passages about as wide as a voxel may open or close. */
+  Any,
+  /** Those of the image, as far as possible. Voxels of a label that share a face stay connected, narrow passages get
+   * more and smaller elements, and what differs is looked for at a quarter of a voxel. */
+  Keep
+};
+
+/** "auto", "any" or "keep". */
+MultiMaterialMeshing_EXPORT std::string
+                            ToText(TopologyMode mode);
+
+/** The mode of these texts. Throws itk::ExceptionObject for others. */
+MultiMaterialMeshing_EXPORT TopologyMode
+ParseTopologyMode(const std::string & text);
+
 /** \brief How a label image is read. Lengths are in mm, the unit of the image's spacing. */
 struct LabelOptions
 {
@@ -131,7 +151,8 @@ struct LabelOptions
   std::size_t minimumIslandSize{ 8 };
   /** The radius of tightening, which rounds what is smaller, at least 0; 0 keeps the voxels' steps. Automatic: 0.5 of
    * the smallest voxel spacing. */
-  double radius{ Automatic };
+  double       radius{ Automatic };
+  TopologyMode topologyMode{ TopologyMode::Automatic };
   /** Keep the indicator images and the sizing image. */
   bool keepIntermediates{ false };
 };

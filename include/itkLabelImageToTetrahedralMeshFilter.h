@@ -133,6 +133,17 @@ public:
   itkSetMacro(Radius, double);
   itkGetConstMacro(Radius, double);
 
+  /** Which connections of the labels the mesh has: those that the edge lengths resolve, or those of the image, as far
+   * as possible, see mmm::TopologyMode; also as a text: "auto", "any" or "keep". Default: Automatic, which keeps them
+   * where Epsilon is at most 1. */
+  itkSetEnumMacro(TopologyMode, mmm::TopologyMode);
+  itkGetEnumMacro(TopologyMode, mmm::TopologyMode);
+  void
+  SetTopologyMode(const std::string & text)
+  {
+    this->SetTopologyMode(mmm::ParseTopologyMode(text));
+  }
+
   /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
   itkSetMacro(KeepIntermediates, bool);
   itkGetConstMacro(KeepIntermediates, bool);
@@ -225,13 +236,14 @@ private:
   mmm::LabelMeshingInputs
   GetInputs() const;
 
-  LabelsType    m_ExteriorLabels{ 0 };
-  bool          m_FillExterior{ false };
-  double        m_AirMargin{ Superclass::Automatic };
-  bool          m_AcceptIntensities{ false };
-  SizeValueType m_MinimumIslandSize{ 8 };
-  double        m_Radius{ Superclass::Automatic };
-  bool          m_KeepIntermediates{ false };
+  LabelsType        m_ExteriorLabels{ 0 };
+  bool              m_FillExterior{ false };
+  double            m_AirMargin{ Superclass::Automatic };
+  bool              m_AcceptIntensities{ false };
+  SizeValueType     m_MinimumIslandSize{ 8 };
+  double            m_Radius{ Superclass::Automatic };
+  mmm::TopologyMode m_TopologyMode{ mmm::TopologyMode::Automatic };
+  bool              m_KeepIntermediates{ false };
 
   mmm::LabelMeshingResults m_Results;
 };

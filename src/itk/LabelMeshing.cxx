@@ -39,11 +39,12 @@ namespace mmm
 {
 namespace
 {
-/** Who samples that finely wants the topology rather than the best triangles. */
+/** Who samples as finely as epsilon 1 does wants the topology rather than the best triangles. */
 bool
-KeepsTopology(const SizingOptions & options)
+KeepsTopology(const LabelMeshingInputs & inputs)
 {
-  return options.epsilon <= 1.0;
+  const TopologyMode mode = inputs.options.topologyMode;
+  return mode == TopologyMode::Keep || (mode == TopologyMode::Automatic && inputs.sizing.options.epsilon <= 1.0);
 }
 
 /** An image in the geometry of its grid, where the stages work: the grid's unit of length, origin 0, no rotation. */
@@ -189,7 +190,7 @@ public:
     inputs.sizing = sizing;
     inputs.options = m_Inputs.meshing;
     inputs.outsideLabel = m_Inputs.options.exteriorLabels.empty() ? 0 : m_Inputs.options.exteriorLabels.front();
-    inputs.keepTopology = KeepsTopology(m_Inputs.sizing.options);
+    inputs.keepTopology = KeepsTopology(m_Inputs);
     inputs.reference = m_Domain;
     std::set<int> meshed;
     const auto    release = [&] {
@@ -255,9 +256,7 @@ private:
       return ComputeFunctionIndicators(
         m_Inputs.functions, m_Inputs.options.exteriorLabels, m_Results.labels, labels, m_Monitor);
     }
-    const SmoothingOptions options{ geometry.ToGridUnit(m_Inputs.options.radius),
-                                    KeepsTopology(m_Inputs.sizing.options),
-                                    true };
+    const SmoothingOptions options{ geometry.ToGridUnit(m_Inputs.options.radius), KeepsTopology(m_Inputs), true };
     return ComputeIndicatorImages(options, labels, m_Monitor).images;
   }
 

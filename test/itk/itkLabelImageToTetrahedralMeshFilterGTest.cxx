@@ -679,3 +679,56 @@ TEST(LabelImageToTetrahedralMeshFilter, SaysWhatToDoIfMemoryRunsOut)
     mmmtest::ExpectException([&] { filter->Update(); }, "Ask for larger elements");
   }
 }
+
+namespace
+{
+/** A sheet of label 2, one voxel thick, between labels 1 and 3, which share a face of voxels in a hole of it. */
+LabelImage::Pointer
+MakeSheetWithHole()
+{
+  return mmmtest::MakeImage<LabelImage>(13, 13, 13, [](int i, int j, int k) {
+    const bool isInHole = i == 6 && j == 6;
+    return k < 6 || (k == 6 && isInHole) ? 1 : k == 6 ? 2 : 3;
+  });
+}
+
+/** The tunnels of label 2 in the mesh. */
+std::ptrdiff_t
+CountTunnels(FilterType * filter)
+{
+  filter->SetMinimumIslandSize(0);
+  filter->SetExteriorLabels({});
+  filter->SetCompareTopology(true);
+  filter->Update();
+  return filter->GetReport().topology.labels.at(1).mesh[1];
+}
+} // namespace
+
+TEST(LabelImageToTetrahedralMeshFilter, ContactsStayWhereTopologyIsKept)
+{
+  const auto image = MakeSheetWithHole();
+  const auto any = MakeFilter(image);
+  any->SetTopologyMode(mmm::TopologyMode::Any);
+  EXPECT_EQ(CountTunnels(any), 0);
+  const auto keep = MakeFilter(image);
+  keep->SetTopologyMode("keep");
+  EXPECT_EQ(keep->GetTopologyMode(), mmm::TopologyMode::Keep);
+  EXPECT_EQ(CountTunnels(keep), 1);
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, TopologyIsKeptWithEpsilonOneUnlessAnyIsAskedFor)
+{
+  const auto image = MakeSheetWithHole();
+  const auto automatic = MakeFilter(image);
+  EXPECT_EQ(CountTunnels(automatic), 0);
+  automatic->SetEpsilon(1.0);
+  EXPECT_EQ(CountTunnels(automatic), 1);
+  automatic->SetTopologyMode("any");
+  EXPECT_EQ(CountTunnels(automatic), 0);
+}
+
+TEST(LabelImageToTetrahedralMeshFilter, ThrowsOnUnknownTopologyModes)
+{
+  const auto filter = FilterType::New();
+  EXPECT_THROW(filter->SetTopologyMode("both"), itk::ExceptionObject);
+}

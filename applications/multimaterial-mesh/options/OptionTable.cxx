@@ -124,6 +124,10 @@ MakeTable()
     { "Sizing", "How long edges are", {
     { "epsilon", PARAMETER(epsilon, Epsilon), Kind::Real, "E", "", Positive, "",
       "Edge length per local feature size; 1 makes thin layers finer." },
+    { "topology", PARAMETER(topology, TopologyMode), Kind::Choice, "T", "", AnyValue, "",
+      "Connections of the labels: those of the image as far as possible (keep), or any that the edge lengths resolve; "
+      "auto keeps them where --epsilon is at most 1.",
+      { "auto", "any", "keep" } },
     { "tolerance", PARAMETER(tolerance, ChordTolerance), Kind::Real, "D", "mm", Positive, "0.1 of the smallest spacing",
       "Chord tolerance: how far an edge may be from the curved interface that it stands for." },
     { "gradient-limit", PARAMETER(gradientLimit, GradientLimit), Kind::Real, "G", "", Positive, "",

@@ -65,6 +65,7 @@ struct Settings
   std::string           indicatorPrefix;
 
   double                epsilon{ 2.5 };
+  std::string           topology{ "auto" };
   std::optional<double> tolerance;
   double                gradientLimit{ 0.5 };
   std::optional<double> minSize;
