@@ -18,14 +18,12 @@
 #ifndef mmmOutOfMemory_h
 #define mmmOutOfMemory_h
 
-#include "MultiMaterialMeshingExport.h"
-
 #include <string>
 
 namespace mmm
 {
 /** Throws an itk::MemoryAllocationError that says who ran out of memory, and what to do. */
-[[noreturn]] MultiMaterialMeshing_EXPORT void
+[[noreturn]] void
 ThrowOutOfMemory(const std::string & who);
 } // namespace mmm
 

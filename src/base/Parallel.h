@@ -18,8 +18,6 @@
 #ifndef mmmParallel_h
 #define mmmParallel_h
 
-#include "MultiMaterialMeshingExport.h"
-
 #include <cstddef>
 #include <functional>
 
@@ -33,7 +31,7 @@ namespace mmm
 {
 /** While it lives, parallel work that this thread starts runs on the threads of a filter: its multi-threader and its
  * number of work units. */
-class MultiMaterialMeshing_EXPORT ThreaderScope
+class ThreaderScope
 {
 public:
   explicit ThreaderScope(const itk::ProcessObject * filter);
@@ -51,7 +49,7 @@ private:
  * the filter in whose ThreaderScope this is, or else of a new itk::MultiThreaderBase. The ranges do not depend on the
  * number of threads: a body that writes only to slots of its own range gives the same result for any number of them.
  * The exception of the lowest range that has one is rethrown. */
-MultiMaterialMeshing_EXPORT void
+void
 ParallelFor(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)> & body);
 } // namespace mmm
 

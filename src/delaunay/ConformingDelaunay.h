@@ -18,7 +18,6 @@
 #ifndef mmmConformingDelaunay_h
 #define mmmConformingDelaunay_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedralMesh.h"
 
 #include <optional>
@@ -31,11 +30,11 @@ namespace mmm
  * The triangles come from the Delaunay tetrahedralization of the first `numberOfSurfacePoints` points. In that of all
  * points most of them are still there; where one is not, points in its way are left out, in the end all others. Points
  * keep their numbers. Returns how many were left out; nothing if some triangles are missing even so. */
-MultiMaterialMeshing_EXPORT std::optional<std::size_t>
-                            ConformingTetrahedralization(const std::vector<Vector> &   points,
-                                                         std::size_t                   numberOfSurfacePoints,
-                                                         const std::vector<Triangle> & triangles,
-                                                         std::vector<Tetrahedron> &    tetrahedra);
+std::optional<std::size_t>
+ConformingTetrahedralization(const std::vector<Vector> &   points,
+                             std::size_t                   numberOfSurfacePoints,
+                             const std::vector<Triangle> & triangles,
+                             std::vector<Tetrahedron> &    tetrahedra);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmEnclosure_h
 #define mmmEnclosure_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 #include "mesh/TetrahedralMesh.h"
 
@@ -26,13 +25,13 @@ namespace mmm
 {
 /** The corners of a box far outside the image. Where they are among the points of a tetrahedralization, its convex hull
  * touches no interface, and the exterior is filled with tetrahedra of some depth. */
-MultiMaterialMeshing_EXPORT std::array<Vector, 8>
-                            EnclosingCorners(const Grid & grid);
+std::array<Vector, 8>
+EnclosingCorners(const Grid & grid);
 
 /** The Delaunay tetrahedralization of points of the image and of the enclosing corners, less the tetrahedra that the
  * corners belong to. */
-MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
-                            TetrahedralizeWithin(const Grid & grid, const std::vector<Vector> & points);
+std::vector<Tetrahedron>
+TetrahedralizeWithin(const Grid & grid, const std::vector<Vector> & points);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmTetGen_h
 #define mmmTetGen_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedralMesh.h"
 
 #include "itkMacro.h"
@@ -37,20 +36,20 @@ public:
 
 /** The Delaunay tetrahedralization of a set of points, positively oriented and sorted by smallest corners. Throws
  * TetGenFailure with TetGen's own words where it fails. */
-MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
-                            DelaunayTetrahedralization(const std::vector<Vector> & points);
+std::vector<Tetrahedron>
+DelaunayTetrahedralization(const std::vector<Vector> & points);
 
 /** \brief The constrained Delaunay tetrahedralization of facets, without Steiner points on them, up to the convex hull.
  *
  * Tetrahedra are oriented and sorted likewise. `points` holds the facets' points and others. Points keep their numbers;
  * those that TetGen had to add between the facets in order to recover them are appended. Throws TetGenFailure
  * with TetGen's own words where it fails. */
-MultiMaterialMeshing_EXPORT std::vector<Tetrahedron>
+std::vector<Tetrahedron>
 ConstrainedTetrahedralization(std::vector<Vector> & points, const std::vector<Triangle> & facets);
 
 /** The facets that cross others, by their numbers, in a sentence to follow another one; empty if TetGen finds none. It
  * takes longer than the tetrahedralization: call it only after that has failed. */
-MultiMaterialMeshing_EXPORT std::string
+std::string
 DescribeIntersections(const std::vector<Vector> & points, const std::vector<Triangle> & facets);
 } // namespace mmm
 

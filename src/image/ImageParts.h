@@ -18,7 +18,6 @@
 #ifndef mmmImageParts_h
 #define mmmImageParts_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "image/MaterialImage.h"
 
 #include <cstdint>
@@ -40,7 +39,7 @@ struct ImageParts
   std::vector<std::uint32_t> numbers; // per voxel its part
 };
 
-MultiMaterialMeshing_EXPORT ImageParts
+ImageParts
 FindImageParts(const MaterialImage & image);
 } // namespace mmm
 

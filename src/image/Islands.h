@@ -18,7 +18,6 @@
 #ifndef mmmIslands_h
 #define mmmIslands_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <cstdint>
@@ -39,11 +38,11 @@ struct LabelComponent
  * component with fewer voxels than `minimumSize` gets the label that most of its voxels' faces touch, the lowest of
  * equals. The largest component of a label keeps it, of equals the one with the first voxel, and so does a component
  * that touches no other label. */
-MultiMaterialMeshing_EXPORT std::vector<int>
-                            MergeIslands(const Index &                       size,
-                                         const std::uint32_t *               numbers,
-                                         const std::vector<LabelComponent> & components,
-                                         std::size_t                         minimumSize);
+std::vector<int>
+MergeIslands(const Index &                       size,
+             const std::uint32_t *               numbers,
+             const std::vector<LabelComponent> & components,
+             std::size_t                         minimumSize);
 } // namespace mmm
 
 #endif

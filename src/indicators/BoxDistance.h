@@ -18,7 +18,6 @@
 #ifndef mmmBoxDistance_h
 #define mmmBoxDistance_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/LevelSet.h"
 #include "image/MaterialImage.h"
 
@@ -27,7 +26,7 @@ namespace mmm
 /** Fills `levelSet` with the signed distance between a voxel centre and the nearest voxel *box* of the opposite kind:
  * positive in material `material`, zero on the voxel faces, exact up to the level set's width, where it is cut off.
  * Labels are continued beyond the image border. */
-MultiMaterialMeshing_EXPORT void
+void
 ComputeBoxDistance(const MaterialImage & image, Material material, LevelSet & levelSet);
 } // namespace mmm
 

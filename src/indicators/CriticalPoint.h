@@ -18,7 +18,6 @@
 #ifndef mmmCriticalPoint_h
 #define mmmCriticalPoint_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 
 namespace mmm
@@ -29,7 +28,7 @@ namespace mmm
  * Newton's method; directions in which the difference hardly bends, as along a sheet, are left out. Returns false where
  * it does not converge within `reach` of the start, in voxels along each axis, where the difference is steep at the
  * start, as it is at interfaces with nothing near, and beyond the nodes at the border. */
-MultiMaterialMeshing_EXPORT bool
+bool
 FindCriticalPoint(const IndicatorSet & indicators, Material a, Material b, double reach, Vector & x);
 } // namespace mmm
 

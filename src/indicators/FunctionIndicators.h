@@ -18,7 +18,6 @@
 #ifndef mmmFunctionIndicators_h
 #define mmmFunctionIndicators_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSmoothing.h"
 
 namespace mmm
@@ -26,8 +25,8 @@ namespace mmm
 /** What the maps of materials leave to a material without map, per voxel: 1 - sum if the maps are probabilities, which
  * range within [0, 1] but for errors of interpolation, and -max if they are signed, positive inside. Throws
  * itk::ExceptionObject if they are neither. */
-MultiMaterialMeshing_EXPORT std::vector<float>
-                            ComputeRemainder(const std::vector<const float *> & maps, std::size_t numberOfVoxels);
+std::vector<float>
+ComputeRemainder(const std::vector<const float *> & maps, std::size_t numberOfVoxels);
 
 /** \brief Indicators, which are distances, from functions in any unit: probabilities, or other signed distances.
  *
@@ -35,7 +34,7 @@ MultiMaterialMeshing_EXPORT std::vector<float>
  * centres; from those of parts of one voxel's thickness it stays away a little. A centre is on the side that the
  * material image says; where a function says otherwise, which is so where islands were merged, the voxel's largest
  * value and that of its material change places. */
-class MultiMaterialMeshing_EXPORT FunctionIndicators
+class FunctionIndicators
 {
 public:
   /** Per material its functions, of which the largest counts, with a value for each voxel. They must outlive this

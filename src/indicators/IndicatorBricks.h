@@ -18,7 +18,6 @@
 #ifndef mmmIndicatorBricks_h
 #define mmmIndicatorBricks_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <cstdint>
@@ -30,7 +29,7 @@ namespace mmm
  * The grid is divided into bricks. Those in which the indicator is everywhere `outside`, or everywhere -`outside`, are
  * not stored but stand for that value. Beyond the border of the grid, values are those of the nearest node. A brick's
  * rows reach into the next brick, so that Width successive values from any of its nodes on lie side by side. */
-class MultiMaterialMeshing_EXPORT IndicatorBricks
+class IndicatorBricks
 {
 public:
   static constexpr int Edge = 8;

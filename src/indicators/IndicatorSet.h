@@ -18,7 +18,6 @@
 #ifndef mmmIndicatorSet_h
 #define mmmIndicatorSet_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/BoxPlanes.h"
 #include "indicators/CandidateMaterials.h"
 #include "indicators/Cell.h"
@@ -35,7 +34,7 @@ namespace mmm
  *
  * The six faces of the image box are planes, see BoxPlanes: pseudo-materials which own all that is outside the box.
  * They cut the materials sharply: they are never compared with an f_i. */
-class MultiMaterialMeshing_EXPORT IndicatorSet
+class IndicatorSet
 {
 public:
   /** One indicator a material; `outside` is what they are beyond their bricks. */

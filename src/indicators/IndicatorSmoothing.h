@@ -18,19 +18,18 @@
 #ifndef mmmIndicatorSmoothing_h
 #define mmmIndicatorSmoothing_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "image/MaterialImage.h"
 #include "indicators/IndicatorSet.h"
 
 namespace mmm
 {
 /** Whether a voxel belongs to no 2 x 2 x 2 block of its material. Labels are continued beyond the border. */
-MultiMaterialMeshing_EXPORT bool
+bool
 IsThin(const MaterialImage & image, const Index & at);
 
 /** How far interfaces have to stay from the centre of a voxel, in units of the smallest voxel spacing. A tip has at
  * most one neighbour of its material across a face. */
-MultiMaterialMeshing_EXPORT float
+float
 CentreMarginOf(const MaterialImage & image, const Index & at);
 
 /** The smallest box of grid nodes that holds a material; size 0 where the image has none of it. */
@@ -40,12 +39,12 @@ struct MaterialBox
   Index size{ { 0, 0, 0 } };
 };
 
-MultiMaterialMeshing_EXPORT std::vector<MaterialBox>
-                            ComputeMaterialBoxes(const MaterialImage & image);
+std::vector<MaterialBox>
+ComputeMaterialBoxes(const MaterialImage & image);
 
 /** The nodes that the indicator of a material covers: the material's box and the band around it, as far as the grid
  * goes. */
-MultiMaterialMeshing_EXPORT MaterialBox
+MaterialBox
 ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
 
 /** \brief The smooth indicator function of one material: a signed distance, positive inside, of the smoothed material.
@@ -58,11 +57,11 @@ ComputeIndicatorBox(const Grid & grid, const MaterialBox & box);
  *
  * Radius 0 stops after step 1. Values are cut off at +-IndicatorBandWidth. The block covers the material's box and the
  * band around it, as far as the image goes; beyond the block the material's value is -IndicatorBandWidth. */
-MultiMaterialMeshing_EXPORT Block<float>
+Block<float>
 ComputeSmoothIndicator(const MaterialImage & image, Material material, const MaterialBox & box, double radius);
 
 /** Of such blocks, one a material. */
-MultiMaterialMeshing_EXPORT IndicatorSet
+IndicatorSet
 MakeIndicatorSet(const Grid & grid, const std::vector<Block<float>> & blocks);
 } // namespace mmm
 

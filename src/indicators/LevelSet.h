@@ -18,7 +18,6 @@
 #ifndef mmmLevelSet_h
 #define mmmLevelSet_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <cstdint>
@@ -28,7 +27,7 @@ namespace mmm
 /** \brief A level set function, positive inside, on a block of the grid, with the narrow band that it is solved in.
  *
  * Values are kept in [-width, width]; nodes of the band are at least one node away from the block's rim. */
-class MultiMaterialMeshing_EXPORT LevelSet
+class LevelSet
 {
 public:
   LevelSet(const Index & lower, const Index & size, const Vector & spacing, double width);

@@ -18,7 +18,6 @@
 #ifndef mmmPassageWidening_h
 #define mmmPassageWidening_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <vector>
@@ -41,7 +40,7 @@ namespace mmm
  *   FindCriticalPoint(): the material that leads there gets half a voxel's lead at least.
  *
  * `indicators` are blocks of the grid, one a material. Each node keeps its material. */
-MultiMaterialMeshing_EXPORT void
+void
 WidenPassages(const Grid & grid, bool keepContacts, std::vector<Block<float>> & indicators);
 } // namespace mmm
 

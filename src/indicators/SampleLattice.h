@@ -18,7 +18,6 @@
 #ifndef mmmSampleLattice_h
 #define mmmSampleLattice_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 
 #include <cstdint>
@@ -34,7 +33,7 @@ using SampledMaterials = std::vector<Material>;
  * The samples are the grid's nodes and what lies evenly between them and after the last ones, all moved by the
  * same small part of a voxel: interfaces between boxes of voxels have none on them. Those of voxels with an interface
  * around them are kept, in arrays that live elsewhere; any other sample is of its voxel's material. */
-class MultiMaterialMeshing_EXPORT SampleLattice
+class SampleLattice
 {
 public:
   static constexpr std::size_t NotKept = std::size_t(-1);

@@ -18,7 +18,6 @@
 #ifndef mmmSampleNeighbours_h
 #define mmmSampleNeighbours_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <cstdint>
@@ -31,7 +30,7 @@ namespace mmm
  * exceed those of the other by 0 or 1 each. It treats all materials alike: what does not connect one connects the
  * others. A sample has 14 neighbours, the vertices of a triangulated sphere; a set of them, one bit each, stands for
  * the part of the sphere that it spans. */
-class MultiMaterialMeshing_EXPORT SampleNeighbours
+class SampleNeighbours
 {
 public:
   static constexpr int Count = 14;

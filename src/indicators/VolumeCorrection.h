@@ -18,7 +18,6 @@
 #ifndef mmmVolumeCorrection_h
 #define mmmVolumeCorrection_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "image/MaterialImage.h"
 
 #include <vector>
@@ -31,7 +30,7 @@ namespace mmm
  * them; here each part's indicator is offset, by as much as what all parts lack and the areas that they share ask for:
  * where two indicators are equal, the interface moves by half the difference of their offsets. The largest part takes
  * what is left over. Interfaces that move stay as far from voxel centres as those of smoothing. */
-MultiMaterialMeshing_EXPORT void
+void
 CorrectVolumes(const MaterialImage & image, std::vector<Block<float>> & indicators);
 } // namespace mmm
 

@@ -42,7 +42,7 @@ struct PlannedStage
  * told to abort, by throwing itk::ProcessAborted. Parallel work that goes on meanwhile runs on the filter's threads.
  *
  * A stage that is not in the plan has no share of the progress. The last stage ends with the monitor. */
-class MultiMaterialMeshing_EXPORT FilterMonitor : public Monitor
+class FilterMonitor : public Monitor
 {
 public:
   /** Filter and log must outlive the monitor. The log is emptied. */

@@ -18,7 +18,6 @@
 #ifndef mmmGridGeometry_h
 #define mmmGridGeometry_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include "itkImageBase.h"
@@ -30,7 +29,7 @@ namespace mmm
  * The grid is a region of the image, its node 0 the region's first voxel and its unit of length the smallest voxel
  * spacing. Spacings and lengths in that unit are rounded to 1e-6, so that a grid and everything computed on it do not
  * depend on the image's origin, direction and unit of length. */
-class MultiMaterialMeshing_EXPORT GridGeometry
+class GridGeometry
 {
 public:
   using ImageType = itk::ImageBase<3>;

@@ -18,7 +18,6 @@
 #ifndef mmmInterfaceLabels_h
 #define mmmInterfaceLabels_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/Junctions.h"
 #include "particles/Particles.h"
 #include "mesh/TetrahedralMesh.h"
@@ -31,7 +30,7 @@ namespace mmm
 {
 /** \brief Labels of materials: those of the image, and one for the outside, which stands for the exterior material, for
  * the faces of the image's box and for the number that no material has. */
-class MultiMaterialMeshing_EXPORT InterfaceLabels
+class InterfaceLabels
 {
 public:
   /** `exterior` is the material that is not meshed, or -1. Then the outside gets the label `wanted` or, if that is one

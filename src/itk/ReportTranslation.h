@@ -25,7 +25,7 @@
 namespace mmm
 {
 /** Puts labels in the place of materials and physical points in that of positions in the frame of Grid. */
-MultiMaterialMeshing_EXPORT void
+void
 TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, MeshingReport & report);
 } // namespace mmm
 

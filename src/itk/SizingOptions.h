@@ -35,14 +35,14 @@ std::string
 DescribeError(const MeshingOptions & options);
 
 /** Rules in the grid's unit. */
-MultiMaterialMeshing_EXPORT SizeRule
+SizeRule
 ToGridUnit(const SizeRule & rule, const GridGeometry & geometry);
-MultiMaterialMeshing_EXPORT LabelSizeRules
+LabelSizeRules
 ToGridUnit(const LabelSizeRules & rules, const GridGeometry & geometry);
 
 /** The general options in the grid's unit. Where the smallest size is not given, it is the smallest voxel spacing or
  * the largest size, whichever is smaller. */
-MultiMaterialMeshing_EXPORT SizingParameters
+SizingParameters
 ToGridUnit(const SizingOptions & options, const GridGeometry & geometry);
 } // namespace mmm
 

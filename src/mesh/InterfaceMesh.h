@@ -18,7 +18,6 @@
 #ifndef mmmInterfaceMesh_h
 #define mmmInterfaceMesh_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedronNeighbours.h"
 
 namespace mmm
@@ -31,17 +30,17 @@ struct InterfaceMesh
 };
 
 /** The faces between tetrahedra of different materials. The outside of the mesh has the material `outside`. */
-MultiMaterialMeshing_EXPORT InterfaceMesh
+InterfaceMesh
 ExtractInterfaces(const TetrahedralMesh & mesh, Material outside);
 /** The same where neighbours are known. */
-MultiMaterialMeshing_EXPORT InterfaceMesh
+InterfaceMesh
 ExtractInterfaces(const TetrahedralMesh & mesh, const TetrahedronNeighbours & neighbours, Material outside);
 
 /** \brief The material of each tetrahedron, from the interfaces that are among the tetrahedra's faces.
  *
  * A face of an interface tells by its orientation which side a tetrahedron lies on; the others follow from their
  * neighbours. What no interface bounds is `outside`. */
-MultiMaterialMeshing_EXPORT std::vector<Material>
+std::vector<Material>
 LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedron> & tetrahedra, Material outside);
 } // namespace mmm
 

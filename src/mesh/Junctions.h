@@ -18,7 +18,6 @@
 #ifndef mmmJunctions_h
 #define mmmJunctions_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 #include "mesh/InterfaceMesh.h"
 
@@ -55,7 +54,7 @@ struct Junctions
  *
  * The planes are the materials from `numberOfMaterials` on, as in IndicatorSet: a triangle that lies in one has it
  * instead of `outside` at its side. So the edges and corners of the box and the rims of cuts are junctions as well. */
-MultiMaterialMeshing_EXPORT Junctions
+Junctions
 ExtractJunctions(const InterfaceMesh &       interfaces,
                  const std::vector<Vector> & points,
                  const Grid &                grid,

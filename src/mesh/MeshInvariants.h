@@ -18,7 +18,6 @@
 #ifndef mmmMeshInvariants_h
 #define mmmMeshInvariants_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/InterfaceMesh.h"
 
 namespace mmm
@@ -31,19 +30,19 @@ namespace mmm
 constexpr double FlatVolume = 1e-9;
 
 /** Whether all tetrahedra are positively oriented. Those of a volume up to `tolerance` may be of any orientation. */
-MultiMaterialMeshing_EXPORT bool
+bool
 ArePositive(const std::vector<Vector> & points, const std::vector<Tetrahedron> & tetrahedra, double tolerance = 0.0);
 
 /** Whether neighbours are each other's, and have a face in common. */
-MultiMaterialMeshing_EXPORT bool
+bool
 AreAdjacent(const std::vector<Tetrahedron> & tetrahedra, const TetrahedronNeighbours & neighbours);
 
 /** Whether the triangles around each material are its closed boundary, all with the normal that their sides say. */
-MultiMaterialMeshing_EXPORT bool
+bool
 AreClosed(const InterfaceMesh & interfaces);
 
 /** Whether the triangles are faces of the tetrahedra. */
-MultiMaterialMeshing_EXPORT bool
+bool
 AreFaces(const std::vector<Triangle> & triangles, const std::vector<Tetrahedron> & tetrahedra);
 } // namespace mmm
 

@@ -74,7 +74,7 @@ struct MeshTopology
  * on the other side of the same wedge of complement.
  *
  * \throw std::length_error for more than 2^32 - 2 tetrahedra. */
-MultiMaterialMeshing_EXPORT MeshTopology
+MeshTopology
 ComputeMeshTopology(const std::vector<Vector> &        points,
                     const std::vector<Tetrahedron> &   tetrahedra,
                     const std::vector<std::uint32_t> & regions,
@@ -83,7 +83,7 @@ ComputeMeshTopology(const std::vector<Vector> &        points,
 
 /** The topology of each material of a mesh, with Betti numbers; materials are up to `numberOfMaterials`, which stands
  * for what is none of them. */
-MultiMaterialMeshing_EXPORT MeshTopology
+MeshTopology
 ComputeMeshTopology(const std::vector<Vector> & points, const TetrahedralMesh & mesh, std::size_t numberOfMaterials);
 } // namespace mmm
 

@@ -18,7 +18,6 @@
 #ifndef mmmTetrahedralMesh_h
 #define mmmTetrahedralMesh_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 #include "image/MaterialImage.h"
 #include "mesh/TetrahedronQuality.h"
@@ -43,7 +42,7 @@ struct TetrahedralMesh
 };
 
 /** Drops the tetrahedra of a material; the others keep their order. */
-MultiMaterialMeshing_EXPORT void
+void
 DropMaterial(Material material, TetrahedralMesh & mesh);
 } // namespace mmm
 

@@ -18,7 +18,6 @@
 #ifndef mmmTetrahedronNeighbours_h
 #define mmmTetrahedronNeighbours_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/Incidence.h"
 #include "mesh/TetrahedralMesh.h"
 
@@ -27,7 +26,7 @@ namespace mmm
 /** Per tetrahedron the one beyond each of its faces (face f is opposite corner f), or NoTetrahedron. */
 using TetrahedronNeighbours = std::vector<std::array<std::uint32_t, 4>>;
 
-MultiMaterialMeshing_EXPORT TetrahedronNeighbours
+TetrahedronNeighbours
 ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra);
 
 /** The tetrahedra at each point. */
@@ -38,7 +37,7 @@ StarsOfPoints(const std::vector<Tetrahedron> & tetrahedra, std::size_t points)
 }
 
 /** The same where these are known. */
-MultiMaterialMeshing_EXPORT TetrahedronNeighbours
+TetrahedronNeighbours
 ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra, std::size_t points, const Incidence & stars);
 } // namespace mmm
 

@@ -18,7 +18,6 @@
 #ifndef mmmTetrahedronQuality_h
 #define mmmTetrahedronQuality_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <algorithm>
@@ -203,13 +202,13 @@ TetrahedronRadiusRatio(const Vector & a, const Vector & b, const Vector & c, con
 }
 
 /** The gradient of TetrahedronRadiusRatio() by its first argument; 0 for a flat tetrahedron. */
-MultiMaterialMeshing_EXPORT Vector
+Vector
 TetrahedronRadiusRatioGradient(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
 
 /** The six dihedral angles in degrees, at TetrahedronEdges, whatever the orientation. They are accurate down to the
  * flattest tetrahedra, where they are 0 and 180. At the edges of a face without area the angle is 0. */
-MultiMaterialMeshing_EXPORT std::array<double, 6>
-                            DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
+std::array<double, 6>
+DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vector & d);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmComplexDefects_h
 #define mmmComplexDefects_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "optimize/TetrahedralComplex.h"
 
 #include <cassert>
@@ -45,7 +44,7 @@ struct ComplexDefects
   }
 };
 
-MultiMaterialMeshing_EXPORT ComplexDefects
+ComplexDefects
 FindDefects(const TetrahedralComplex & complex, const std::vector<Vector> & points);
 
 /** \brief In Debug builds, ends the program where a phase has added defects. */

@@ -18,7 +18,6 @@
 #ifndef mmmMeshImprovement_h
 #define mmmMeshImprovement_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "optimize/MeshOptimizer.h"
 
 #include <limits>
@@ -43,7 +42,7 @@ struct ImprovementParameters
  * Materials are below `outside`, which stands for what is beyond the mesh. Tetrahedra are turned to positive
  * orientation first. Points that no tetrahedron uses, at first or any more, are dropped; all others keep their order.
  * Returns what was done; `parameters.tolerance` becomes the largest one that was used. */
-MultiMaterialMeshing_EXPORT OptimizationReport
+OptimizationReport
 ImproveMesh(Material                outside,
             ImprovementParameters & parameters,
             std::vector<Vector> &   points,

@@ -18,14 +18,13 @@
 #ifndef mmmTetrahedralComplex_h
 #define mmmTetrahedralComplex_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedralMesh.h"
 
 namespace mmm
 {
 /** \brief A labelled tetrahedral mesh that can be changed locally: tetrahedra know their neighbours, points one of
  * their tetrahedra. */
-class MultiMaterialMeshing_EXPORT TetrahedralComplex
+class TetrahedralComplex
 {
 public:
   using Id = std::uint32_t;

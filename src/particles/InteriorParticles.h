@@ -18,14 +18,13 @@
 #ifndef mmmInteriorParticles_h
 #define mmmInteriorParticles_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "particles/Particles.h"
 
 namespace mmm
 {
 /** Appends particles in the interior of the materials (3-cells), except `exterior`: random points,
  * thinned by Poisson-disk in units of h against one another and against the particles on the interfaces. */
-MultiMaterialMeshing_EXPORT void
+void
 SeedInteriorParticles(const IndicatorSet & indicators,
                       const SizingField &  sizing,
                       int                  exterior,

@@ -18,7 +18,6 @@
 #ifndef mmmParticleMerging_h
 #define mmmParticleMerging_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "particles/Particles.h"
 
 namespace mmm
@@ -29,7 +28,7 @@ namespace mmm
  * voxel spacing. The particle of the lowest cell stays and belongs to the materials of all that it took in: two
  * junctions closer than this are one point, and a layer thinner than this is pinched. Returns how many particles are
  * gone. */
-MultiMaterialMeshing_EXPORT std::size_t
+std::size_t
 MergeCloseParticles(const IndicatorSet & indicators, const SizingField & sizing, ParticleSet & particles);
 } // namespace mmm
 

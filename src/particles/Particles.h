@@ -74,18 +74,18 @@ struct ParticleSet
  * materials, by projection; it stays where those materials are the largest. Then Poisson-disk thinning in units of h,
  * lower cells first, in an order drawn by `seed`. Those that are left are sorted in space, see SpatialOrder().
  * `exterior` (or -1) and the planes bound no interface between themselves. */
-MultiMaterialMeshing_EXPORT ParticleSet
+ParticleSet
 SeedParticles(const IndicatorSet & indicators, const SizingField & sizing, int exterior, std::uint64_t seed);
 
 /** Adds particles like these from the cubes around some places, where those that are there are not dense enough for h.
  * Returns how many. */
-MultiMaterialMeshing_EXPORT std::size_t
-                            SeedParticlesAround(const SeedCubes &          cubes,
-                                                const std::vector<Index> & places,
-                                                const SizingField &        sizing,
-                                                int                        exterior,
-                                                std::uint64_t              seed,
-                                                ParticleSet &              particles);
+std::size_t
+SeedParticlesAround(const SeedCubes &          cubes,
+                    const std::vector<Index> & places,
+                    const SizingField &        sizing,
+                    int                        exterior,
+                    std::uint64_t              seed,
+                    ParticleSet &              particles);
 
 /** \brief Moves the particles of the cells of dimension `dimension` apart until their spacing follows h.
  *
@@ -93,7 +93,7 @@ MultiMaterialMeshing_EXPORT std::size_t
  * distance in units of sqrt(3) h, by damped Newton steps in its cell's tangent space, each followed by a projection.
  * Particles of lower cells rest and repel. Only particles of the same cell and, on a 2-cell, of the same sheet, and
  * those of lower cells in its rim, see each other. Between sweeps crowded particles leave and lonely ones split. */
-MultiMaterialMeshing_EXPORT RelaxationReport
+RelaxationReport
 RelaxParticles(const IndicatorSet &         indicators,
                const SizingField &          sizing,
                int                          dimension,

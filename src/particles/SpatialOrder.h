@@ -18,7 +18,6 @@
 #ifndef mmmSpatialOrder_h
 #define mmmSpatialOrder_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "particles/Particles.h"
 #include "mesh/TetrahedralMesh.h"
 
@@ -29,11 +28,11 @@ namespace mmm
 {
 /** The points from number `first` on in an order in which neighbors in space mostly are neighbors in memory: along a
  * Z-order curve (Morton, 1966) through their bounding box. */
-MultiMaterialMeshing_EXPORT std::vector<PointId>
-                            SpatialOrder(const std::vector<Vector> & points, std::size_t first = 0);
+std::vector<PointId>
+SpatialOrder(const std::vector<Vector> & points, std::size_t first = 0);
 
 /** Sorts the particles from number `first` on in this way. */
-MultiMaterialMeshing_EXPORT void
+void
 SortInSpace(ParticleSet & particles, std::size_t first = 0);
 } // namespace mmm
 

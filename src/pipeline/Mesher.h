@@ -57,7 +57,7 @@ struct MeshingResult
  * labelled by the indicators, which gives the interfaces; particles of the interior follow, relaxed like the others;
  * the constrained tetrahedralization of all is improved. `result` is filled stage by stage: where a later stage throws,
  * it holds what the stages before it made. */
-MultiMaterialMeshing_EXPORT void
+void
 BuildMesh(const IndicatorSet &      indicators,
           const SizingField &       sizing,
           const MeshingParameters & parameters,

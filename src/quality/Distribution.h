@@ -23,7 +23,7 @@
 namespace mmm
 {
 /** Of the values from `begin` up to `end`, which it reorders. */
-MultiMaterialMeshing_EXPORT Distribution
+Distribution
 Summarize(double * begin, double * end);
 } // namespace mmm
 

@@ -31,7 +31,7 @@ namespace mmm
  *
  * \throw std::invalid_argument if labels and tetrahedra differ in number, a tetrahedron has a point that does not exist
  * or a point is not finite (or beyond 1e50, where areas overflow). */
-MultiMaterialMeshing_EXPORT MeshQualityReport
+MeshQualityReport
 ComputeMeshQuality(const std::vector<Vector> &      points,
                    const std::vector<Tetrahedron> & tetrahedra,
                    const std::vector<int> &         labels,

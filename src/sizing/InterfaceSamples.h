@@ -18,7 +18,6 @@
 #ifndef mmmInterfaceSamples_h
 #define mmmInterfaceSamples_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 
 #include <vector>
@@ -44,8 +43,8 @@ struct InterfaceSample
 
 /** All crossings of interfaces with grid edges, and a sample for each voxel face in which the image border cuts a
  * material other than `exterior`. In the order of the grid nodes. */
-MultiMaterialMeshing_EXPORT std::vector<InterfaceSample>
-                            CollectInterfaceSamples(const IndicatorSet & indicators, int exterior);
+std::vector<InterfaceSample>
+CollectInterfaceSamples(const IndicatorSet & indicators, int exterior);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmLocalFeatureSize_h
 #define mmmLocalFeatureSize_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "sizing/InterfaceSamples.h"
 
 namespace mmm
@@ -26,10 +25,10 @@ namespace mmm
 /** \brief The local feature size at each interface sample: its distance to the nearest point of the medial axes.
  *
  * It is infinite where there is no axis at all. */
-MultiMaterialMeshing_EXPORT std::vector<float>
-                            ComputeLocalFeatureSizes(const Grid &                         grid,
-                                                     const std::vector<InterfaceSample> & samples,
-                                                     const std::vector<Vector> &          axis);
+std::vector<float>
+ComputeLocalFeatureSizes(const Grid &                         grid,
+                         const std::vector<InterfaceSample> & samples,
+                         const std::vector<Vector> &          axis);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmMedialAxis_h
 #define mmmMedialAxis_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "sizing/InterfaceSamples.h"
 
 namespace mmm
@@ -38,7 +37,7 @@ namespace mmm
  *
  * Every convex wedge's axis runs into the junction that it ends on, and would pull the local feature size to zero
  * there: feet on two interfaces that meet within 2.5 voxels in a junction of those three materials do not count. */
-MultiMaterialMeshing_EXPORT std::vector<Vector>
+std::vector<Vector>
 ComputeMedialAxis(const IndicatorSet & indicators, const std::vector<InterfaceSample> & samples);
 } // namespace mmm
 

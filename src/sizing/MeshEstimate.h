@@ -27,14 +27,14 @@
 namespace mmm
 {
 /** The next number of two digits that is not smaller. */
-MultiMaterialMeshing_EXPORT double
+double
 RoundUp(double value);
 
 /** \brief Predicts the size of a mesh from its sizing field.
  *
  * Interfaces of area A hold triangles in proportion to A / h^2, and volumes V tetrahedra in proportion to V / h^3. The
  * constants are measured. */
-class MultiMaterialMeshing_EXPORT MeshEstimator
+class MeshEstimator
 {
 public:
   /** `exterior` is the material that is not meshed, or -1. */

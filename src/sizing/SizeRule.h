@@ -26,8 +26,8 @@
 namespace mmm
 {
 /** Which rules are for labels that are not in the list, and what is in it, in a sentence; empty if all are. */
-MultiMaterialMeshing_EXPORT std::string
-                            DescribeUnknownLabels(const LabelSizeRules & rules, std::vector<int> labels);
+std::string
+DescribeUnknownLabels(const LabelSizeRules & rules, std::vector<int> labels);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmSizing_h
 #define mmmSizing_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 #include "sizing/InterfaceSamples.h"
 #include "base/Monitor.h"
@@ -34,15 +33,15 @@ namespace mmm
  * h(x) = min over y of h0(y) + gradientLimit * |x - y|, the largest field below h0 whose gradient is limited.
  *
  * `control` is what users add. `exterior` is the material that is not meshed, or -1. */
-MultiMaterialMeshing_EXPORT std::vector<float>
-                            ComputeSizing(const IndicatorSet &     indicators,
-                                          int                      exterior,
-                                          const SizingParameters & parameters,
-                                          const SizingControl &    control,
-                                          Monitor &                monitor);
+std::vector<float>
+ComputeSizing(const IndicatorSet &     indicators,
+              int                      exterior,
+              const SizingParameters & parameters,
+              const SizingControl &    control,
+              Monitor &                monitor);
 
 /** The largest magnitude of the interface's principal curvatures at a sample. */
-MultiMaterialMeshing_EXPORT double
+double
 LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample);
 } // namespace mmm
 

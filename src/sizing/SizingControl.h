@@ -18,7 +18,6 @@
 #ifndef mmmSizingControl_h
 #define mmmSizingControl_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 #include "sizing/InterfaceSamples.h"
 #include "sizing/SizeRule.h"
@@ -50,7 +49,7 @@ struct SizingControl
 };
 
 /** Whether a region, given per grid node, has a node in a material other than `exterior`. */
-MultiMaterialMeshing_EXPORT bool
+bool
 IsInMaterials(const std::vector<std::uint8_t> & region, const IndicatorSet & indicators, int exterior);
 
 /** \brief Applies what users ask for to the sizes at interfaces and grid nodes.
@@ -58,7 +57,7 @@ IsInMaterials(const std::vector<std::uint8_t> & region, const IndicatorSet & ind
  * In the region of interest its bounds stand in place of the materials', and these in place of the general ones. A
  * bound that is not given is the one of the next in this order, moved if it contradicts the other bound. At an
  * interface the materials that have a rule decide, and of two the one that asks for less. */
-class MultiMaterialMeshing_EXPORT SizeRules
+class SizeRules
 {
 public:
   /** All must outlive this. */

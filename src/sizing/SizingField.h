@@ -18,7 +18,6 @@
 #ifndef mmmSizingField_h
 #define mmmSizingField_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <algorithm>
@@ -26,7 +25,7 @@
 namespace mmm
 {
 /** The sizing field h between the grid nodes: trilinear, continued constantly beyond the border. */
-class MultiMaterialMeshing_EXPORT SizingField
+class SizingField
 {
 public:
   /** `values` holds a size per grid node, of which the field keeps a copy. */

@@ -18,7 +18,6 @@
 #ifndef mmmSourcePropagation_h
 #define mmmSourcePropagation_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "base/Grid.h"
 
 #include <cstdint>
@@ -50,7 +49,7 @@ struct PropagatedField
  *
  * With `nodeValues`, which holds a value per node or nothing, each node with a finite value is a source, too; its
  * number is that of the sources plus the node's. */
-MultiMaterialMeshing_EXPORT PropagatedField
+PropagatedField
 PropagateSources(const Grid &                grid,
                  const std::vector<Source> & sources,
                  double                      slope,

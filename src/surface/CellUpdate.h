@@ -27,12 +27,12 @@ namespace mmm
 /** \brief Gives particles the cell of the materials that meet at them in a labelled mesh, where that is another one and
  * lies nearby. Particles do not move. What lies beyond the mesh has the material `outside`. Returns how many changed.
  */
-MultiMaterialMeshing_EXPORT std::size_t
-                            UpdateCells(const IndicatorSet &         indicators,
-                                        const TetrahedralMesh &      mesh,
-                                        const TetrahedronAdjacency & adjacency,
-                                        Material                     outside,
-                                        ParticleSet &                particles);
+std::size_t
+UpdateCells(const IndicatorSet &         indicators,
+            const TetrahedralMesh &      mesh,
+            const TetrahedronAdjacency & adjacency,
+            Material                     outside,
+            ParticleSet &                particles);
 } // namespace mmm
 
 #endif

@@ -30,12 +30,12 @@ namespace mmm
  * chance which two of its faces, or one or three, become triangles of the interface. Here those of the better radius
  * ratio do, worst first, as long as links have no more defects than before, all points stay on interfaces, and the
  * indicators do not mind by more than a quarter of a voxel. Returns how many tetrahedra changed. */
-MultiMaterialMeshing_EXPORT std::size_t
-                            TurnFlatTetrahedra(const IndicatorSet &         indicators,
-                                               const std::vector<Vector> &  points,
-                                               const TetrahedronAdjacency & adjacency,
-                                               Material                     outside,
-                                               TetrahedralMesh &            mesh);
+std::size_t
+TurnFlatTetrahedra(const IndicatorSet &         indicators,
+                   const std::vector<Vector> &  points,
+                   const TetrahedronAdjacency & adjacency,
+                   Material                     outside,
+                   TetrahedralMesh &            mesh);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmLinkDefects_h
 #define mmmLinkDefects_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/TetrahedronAdjacency.h"
 
 namespace mmm
@@ -36,7 +35,7 @@ struct LinkDefects
  * which is a disk of the sphere around it, and those at an edge one sector. On 2-, 1- and 0-cells that means two disks,
  * three half-disks, and four triangles. What lies beyond the mesh has the material `outside`. Both lists are ascending.
  * The adjacency is that of the mesh. */
-MultiMaterialMeshing_EXPORT LinkDefects
+LinkDefects
 FindLinkDefects(const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency, Material outside);
 
 /** The same for some points, ascending, and the edges at them. */

@@ -33,7 +33,7 @@ struct LinkRepairReport
 
 /** Gives tetrahedra at defects to another material around them, as long as that leaves fewer defects: of several ways
  * the one that disagrees least with the indicators. No material is lost. */
-MultiMaterialMeshing_EXPORT LinkRepairReport
+LinkRepairReport
 RepairLinks(const IndicatorSet &         indicators,
             const std::vector<Vector> &  points,
             const TetrahedronAdjacency & adjacency,

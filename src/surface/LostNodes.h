@@ -18,7 +18,6 @@
 #ifndef mmmLostNodes_h
 #define mmmLostNodes_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "indicators/IndicatorSet.h"
 #include "mesh/TetrahedralMesh.h"
 
@@ -35,7 +34,7 @@ struct LostNodes
 };
 
 /** What a labelled tetrahedralization misses; `exterior` is the material of what the tetrahedra do not fill. */
-MultiMaterialMeshing_EXPORT LostNodes
+LostNodes
 FindLostNodes(const IndicatorSet &        indicators,
               const std::vector<Vector> & points,
               const TetrahedralMesh &     mesh,

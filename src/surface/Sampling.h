@@ -27,11 +27,11 @@
 namespace mmm
 {
 /** \brief How well the points of a surface follow h. */
-MultiMaterialMeshing_EXPORT SamplingReport
+SamplingReport
 MeasureSampling(const SizingField & sizing, const InterfaceMesh & interfaces, const std::vector<Vector> & points);
 
 /** \brief How near particles are to their cells. */
-MultiMaterialMeshing_EXPORT ResidualReports
+ResidualReports
 MeasureResiduals(const IndicatorSet & indicators, const ParticleSet & particles);
 } // namespace mmm
 

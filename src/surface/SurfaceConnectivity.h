@@ -18,7 +18,6 @@
 #ifndef mmmSurfaceConnectivity_h
 #define mmmSurfaceConnectivity_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "mesh/InterfaceMesh.h"
 
 namespace mmm
@@ -26,7 +25,7 @@ namespace mmm
 /** \brief The triangles of the interfaces, with neighbours within each sheet, for flips of their edges.
  *
  * A sheet is the interface of two materials. At a junction several sheets end; a point there counts once in each. */
-class MultiMaterialMeshing_EXPORT SurfaceConnectivity
+class SurfaceConnectivity
 {
 public:
   SurfaceConnectivity(const InterfaceMesh & interfaces, const std::vector<Vector> & points);

@@ -18,7 +18,6 @@
 #ifndef mmmSurfaceLabelling_h
 #define mmmSurfaceLabelling_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "particles/Particles.h"
 #include "mesh/TetrahedralMesh.h"
 
@@ -32,11 +31,11 @@ namespace mmm
  * so the interface's triangles are those of the restricted Delaunay triangulation of its samples, whatever the noise of
  * the indicators along it. Exterior and planes give `exterior`, which is the number of materials if no material is
  * exterior. */
-MultiMaterialMeshing_EXPORT std::vector<Material>
-                            LabelTetrahedra(const IndicatorSet &             indicators,
-                                            const ParticleSet &              particles,
-                                            const std::vector<Tetrahedron> & tetrahedra,
-                                            Material                         exterior);
+std::vector<Material>
+LabelTetrahedra(const IndicatorSet &             indicators,
+                const ParticleSet &              particles,
+                const std::vector<Tetrahedron> & tetrahedra,
+                Material                         exterior);
 } // namespace mmm
 
 #endif

@@ -18,7 +18,6 @@
 #ifndef mmmSurfaceRelaxation_h
 #define mmmSurfaceRelaxation_h
 
-#include "MultiMaterialMeshingExport.h"
 #include "particles/Particles.h"
 #include "mesh/InterfaceMesh.h"
 
@@ -32,13 +31,13 @@ namespace mmm
  * longer than 1.45 h and removed from edges shorter than 0.65 h. Only the particles are the result: tetrahedralize
  * again, and Delaunay's triangles will be nearly those that the flips led to. Returns how many particles were added and
  * removed. */
-MultiMaterialMeshing_EXPORT std::size_t
-                            RelaxOnSurface(const IndicatorSet &  indicators,
-                                           const SizingField &   sizing,
-                                           const InterfaceMesh & interfaces,
-                                           int                   sweeps,
-                                           bool                  adapt,
-                                           ParticleSet &         particles);
+std::size_t
+RelaxOnSurface(const IndicatorSet &  indicators,
+               const SizingField &   sizing,
+               const InterfaceMesh & interfaces,
+               int                   sweeps,
+               bool                  adapt,
+               ParticleSet &         particles);
 } // namespace mmm
 
 #endif

@@ -30,15 +30,15 @@ namespace mmm
  *
  * A material is the full subcomplex of a Freudenthal subdivision that its samples span, see SampleNeighbours: the same
  * holds for what is not of the material, and none of two has the better of the other where they meet crosswise. */
-MultiMaterialMeshing_EXPORT std::vector<BettiNumbers>
-                            ComputePartitionTopology(const SampleLattice & lattice, const SampledMaterials & partition);
+std::vector<BettiNumbers>
+ComputePartitionTopology(const SampleLattice & lattice, const SampledMaterials & partition);
 
 /** The same for samples on a grid, the first index fastest: `row(j, k, labels)` gives the materials of a row. It may be
  * called from several threads, and more than once for a row. */
-MultiMaterialMeshing_EXPORT std::vector<BettiNumbers>
-                            ComputeSampleTopology(const Index &                                                  size,
-                                                  std::size_t                                                    numberOfMaterials,
-                                                  const std::function<void(int, int, std::vector<Material> &)> & row);
+std::vector<BettiNumbers>
+ComputeSampleTopology(const Index &                                                  size,
+                      std::size_t                                                    numberOfMaterials,
+                      const std::function<void(int, int, std::vector<Material> &)> & row);
 } // namespace mmm
 
 #endif

@@ -30,7 +30,7 @@ namespace mmm
  * where more samples show that the mesh is right, see TopologyDifferenceFinder: if no place is left for a material,
  * its numbers are the mesh's, otherwise its tunnels change. The places are found there, too; their changes add up to
  * the difference of the Euler characteristics, or else what is left unexplained is told. */
-class MultiMaterialMeshing_EXPORT TopologyComparison
+class TopologyComparison
 {
 public:
   /** The indicators have to stay. What is of `exterior` in a mesh is not looked at; there may be nothing instead.

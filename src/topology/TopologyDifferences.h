@@ -61,7 +61,7 @@ class CharacteristicsComparison;
  * A sheet that is thinner than the distance of the samples has holes in the partition that the indicators do not have.
  * So these places are looked at more closely, see FineSamples, and do not count where that makes the difference go
  * away. */
-class MultiMaterialMeshing_EXPORT TopologyDifferenceFinder
+class TopologyDifferenceFinder
 {
 public:
   /** Lattice and partition have to stay. */
