@@ -202,7 +202,7 @@ TEST(Mesher, ReportsTheBettiNumbersOfTheFinalMesh)
   }
 }
 
-TEST(Mesher, KeepsTheTopologyOfTheIndicators)
+TEST(Mesher, KeptTopologyDiffersLessOnNoise)
 {
   const Scene            scene = MakeNoise();
   mmm::MeshingParameters parameters;

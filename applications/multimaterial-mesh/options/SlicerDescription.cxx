@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "options/SlicerDescription.h"
 
+#include "base/EscapedXML.h"
 #include "options/HelpText.h"
 #include "options/OptionTable.h"
 #include "options/Version.h"
@@ -33,34 +34,10 @@ namespace cli
 {
 namespace
 {
-std::string
-EscapeXML(const std::string & text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 void
 PrintElement(std::ostream & os, int depth, const std::string & name, const std::string & text)
 {
-  os << std::string(2 * depth, ' ') << '<' << name << '>' << EscapeXML(text) << "</" << name << ">\n";
+  os << std::string(2 * depth, ' ') << '<' << name << '>' << mmm::EscapedXML(text) << "</" << name << ">\n";
 }
 
 /** "min-island" gives "Min island"; with the unit, if there is one. */

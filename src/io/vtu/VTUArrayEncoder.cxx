@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUArrayEncoder.h"
+#include "base/EscapedXML.h"
 #include "base/Parallel.h"
 #include "io/vtu/VTUFormat.h"
 
@@ -163,40 +164,13 @@ VTUArrayEncoder::FinishBase64()
 }
 
 std::string
-EscapeXML(const std::string & text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
-std::string
 VTUArrayElement(const std::string & typeName,
                 const std::string & name,
                 std::size_t         numberOfComponents,
                 VTUEncoding         encoding,
                 const std::string & content)
 {
-  std::string element = "        <DataArray type=\"" + typeName + "\" Name=\"" + EscapeXML(name) + '"';
+  std::string element = "        <DataArray type=\"" + typeName + "\" Name=\"" + EscapedXML(name) + '"';
   if (numberOfComponents > 1)
   {
     element += " NumberOfComponents=\"" + std::to_string(numberOfComponents) + '"';

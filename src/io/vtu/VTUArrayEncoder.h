@@ -88,10 +88,6 @@ private:
   std::size_t   m_CarrySize{ 0 };
 };
 
-/** Text for use in an attribute. */
-std::string
-EscapeXML(const std::string & text);
-
 /** Puts encoded values into a `<DataArray>` element. */
 std::string
 VTUArrayElement(const std::string & typeName,

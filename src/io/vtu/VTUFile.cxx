@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "io/vtu/VTUFile.h"
+#include "base/EscapedXML.h"
 #include "itkOutputFile.h"
 #include "io/vtu/VTUFormat.h"
 
@@ -43,7 +44,7 @@ CheckCounts(const VTUContent & content)
 std::string
 DataTag(const std::string & tag, const std::string & scalars)
 {
-  return "      <" + tag + (scalars.empty() ? "" : " Scalars=\"" + EscapeXML(scalars) + '"') + ">\n";
+  return "      <" + tag + (scalars.empty() ? "" : " Scalars=\"" + EscapedXML(scalars) + '"') + ">\n";
 }
 
 std::string
