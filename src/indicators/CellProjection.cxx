@@ -83,13 +83,16 @@ IndicatorSet::GaussNewtonStep(const Cell & cell, const Vector & x, Vector & step
   }
   const Residuals residuals = this->ResidualsAt(cell, x);
   const Vector *  gradients = residuals.gradients;
+  // outside of the band, nothing tells the way
+  if (std::any_of(gradients, gradients + residuals.count, [](const Vector & gradient) {
+        return gradient.squaredNorm() < Parameters::LeastSquaredGradient;
+      }))
+  {
+    return false;
+  }
   if (residuals.count == 1)
   {
     const double square = gradients[0].squaredNorm();
-    if (square < Parameters::LeastSquaredGradient)
-    {
-      return false;
-    }
     step = -residuals.values[0] / square * gradients[0];
     direction = gradients[0] / (this->IsPlane(cell.materials[1]) ? std::sqrt(square) : -std::sqrt(square));
   }

@@ -142,6 +142,21 @@ TEST(IndicatorSet, ProjectsOnTheCurveWhereThreeMaterialsMeet)
   }
 }
 
+TEST(IndicatorSet, FindsNoCurveFromOutsideOfTheBand)
+{
+  // materials 0 and 1 meet at x = 11.5; their functions are constant further away than the band is wide
+  const Scene scene(MakeMaterials({ { 24, 12, 12 } }, Vector::Ones(), 2, [](const Vector & x) { return x[0] > 11.5; }));
+  Vector      near(12.0, 6.0, 6.0);
+  Vector      far(2.0, 6.0, 6.0);
+  const Cell  surface{ 0, 1 };
+  EXPECT_TRUE(scene.indicators->ProjectWhereMaximal(surface, near, 1.0));
+  EXPECT_FALSE(scene.indicators->ProjectWhereMaximal(surface, far, 1.0));
+  const mmm::Material lowerFace = scene.indicators->Planes().At(4);
+  near[2] = far[2] = -0.4;
+  EXPECT_TRUE(scene.indicators->ProjectWhereMaximal(Cell{ 0, 1, lowerFace }, near, 1.0));
+  EXPECT_FALSE(scene.indicators->ProjectWhereMaximal(Cell{ 0, 1, lowerFace }, far, 1.0));
+}
+
 TEST(IndicatorSet, GradientsAreThoseOfTheValues)
 {
   const Scene  scene(MakeThreeSectors());
