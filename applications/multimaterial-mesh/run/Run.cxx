@@ -162,6 +162,7 @@ Run(Settings settings)
     itk::OutputFile::WriteWhole(settings.report, MakeReport(outcome));
   }
   WarnOfVanishedLabels(settings, *outcome.filter);
+  WarnOfMergedIslands(*outcome.filter);
   WarnOfLargeTetrahedra(outcome);
   if (!settings.quiet)
   {

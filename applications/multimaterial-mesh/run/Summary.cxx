@@ -148,6 +148,22 @@ WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter)
 }
 
 void
+WarnOfMergedIslands(const MeshFilter & filter)
+{
+  constexpr double share = 0.05;
+  for (const auto & [label, record] : filter.GetIslandRecords())
+  {
+    if (static_cast<double>(record.voxels) > share * static_cast<double>(record.voxelsBefore))
+    {
+      std::ostringstream text;
+      text << "label " << label << " loses " << record.voxels << " of its " << record.voxelsBefore
+           << " voxels as islands of fewer voxels than --min-island; --min-island 0 keeps them";
+      Warn(text.str());
+    }
+  }
+}
+
+void
 WarnOfLargeTetrahedra(const Outcome & outcome)
 {
   const double largest = outcome.quality.tetrahedra.largestVolume;

@@ -32,6 +32,10 @@ PrintSummary(std::ostream & os, const Outcome & outcome);
 void
 WarnOfVanishedLabels(const Settings & settings, const MeshFilter & filter);
 
+/** Labels of which islands were a large part. */
+void
+WarnOfMergedIslands(const MeshFilter & filter);
+
 /** Tetrahedra above the largest volume that was asked for. */
 void
 WarnOfLargeTetrahedra(const Outcome & outcome);

@@ -23,12 +23,14 @@
 #include "itkVTUMeshIO.h"
 
 #include "itkImageFileReader.h"
+#include "itkImageRegionIteratorWithIndex.h"
 // Readers get their IO from the tests; ITK may not have generated the header that registers mesh IOs.
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 #include "itkMeshFileReader.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -181,6 +183,27 @@ TEST_F(CommandLineOutput, ExteriorReplacesTheDefault)
   const auto counts = this->CountLabels("out.vtu");
   EXPECT_EQ(counts.count(0), 1u);
   EXPECT_EQ(counts.count(5), 0u);
+}
+
+TEST_F(CommandLineOutput, WarnsOfALabelThatLosesMuchAsIslands)
+{
+  // 27 voxels, and three islands of one
+  const auto image = MakeBalls();
+  for (itk::ImageRegionIteratorWithIndex<LabelImage> it(image, image->GetBufferedRegion()); !it.IsAtEnd(); ++it)
+  {
+    const auto & at = it.GetIndex();
+    const auto   isWithin = [&](int first, int last) {
+      return std::all_of(at.begin(), at.end(), [=](auto i) { return i >= first && i <= last; });
+    };
+    const bool isIsland = at[0] == 10 && at[1] == 10 && at[2] % 2 == 0;
+    it.Set(!isWithin(3, 12) ? 0 : (isWithin(4, 6) || (isIsland && isWithin(5, 11)) ? 5 : 2));
+  }
+  const auto labels = this->WriteImage<LabelImage>(image, "islands.nrrd");
+  const auto result = Run({ labels, this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(result.error,
+            "multimaterial-mesh: warning: label 5 loses 3 of its 30 voxels as islands of fewer voxels than "
+            "--min-island; --min-island 0 keeps them\n");
+  EXPECT_EQ(Run({ labels, this->Path("out.vtu"), "--quiet", "--min-island", "0" }).error, "");
 }
 
 TEST_F(CommandLineOutput, AbsentExteriorWarns)
