@@ -37,12 +37,13 @@ class FlatTetrahedraTurner
 {
 public:
   FlatTetrahedraTurner(const IndicatorSet &         indicators,
-                       const std::vector<Vector> &  points,
+                       const ParticleSet &          particles,
                        const TetrahedronAdjacency & adjacency,
                        Material                     outside,
                        TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
-    , m_Points(points)
+    , m_Particles(particles)
+    , m_Points(particles.positions)
     , m_Mesh(mesh)
     , m_Neighbours(adjacency.neighbours)
     , m_Inspector(mesh, adjacency, outside)
@@ -140,7 +141,8 @@ private:
     const Material           own = m_Mesh.materials[t];
     const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
     if (m_Indicators.IsPlane(own) || m_Indicators.IsPlane(candidate.beyond) ||
-        support.Of(own) - support.Of(candidate.beyond) > MendingParameters::Tolerance)
+        support.Of(own) - support.Of(candidate.beyond) > MendingParameters::Tolerance ||
+        !std::all_of(c.begin(), c.end(), [&](PointId p) { return m_Particles.CellOf(p).Has(candidate.beyond); }))
     {
       return false;
     }
@@ -167,6 +169,7 @@ private:
   }
 
   const IndicatorSet &          m_Indicators;
+  const ParticleSet &           m_Particles;
   const std::vector<Vector> &   m_Points;
   TetrahedralMesh &             m_Mesh;
   const TetrahedronNeighbours & m_Neighbours;
@@ -176,11 +179,11 @@ private:
 
 std::size_t
 TurnFlatTetrahedra(const IndicatorSet &         indicators,
-                   const std::vector<Vector> &  points,
+                   const ParticleSet &          particles,
                    const TetrahedronAdjacency & adjacency,
                    Material                     outside,
                    TetrahedralMesh &            mesh)
 {
-  return FlatTetrahedraTurner(indicators, points, adjacency, outside, mesh).Turn();
+  return FlatTetrahedraTurner(indicators, particles, adjacency, outside, mesh).Turn();
 }
 } // namespace mmm

@@ -20,6 +20,7 @@
 
 #include "indicators/IndicatorSet.h"
 #include "mesh/TetrahedronAdjacency.h"
+#include "particles/Particles.h"
 
 namespace mmm
 {
@@ -32,7 +33,7 @@ namespace mmm
  * indicators do not mind by more than a quarter of a voxel. Returns how many tetrahedra changed. */
 std::size_t
 TurnFlatTetrahedra(const IndicatorSet &         indicators,
-                   const std::vector<Vector> &  points,
+                   const ParticleSet &          particles,
                    const TetrahedronAdjacency & adjacency,
                    Material                     outside,
                    TetrahedralMesh &            mesh);

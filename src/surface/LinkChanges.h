@@ -27,6 +27,8 @@ struct LinkChange
 {
   std::vector<std::uint32_t> tetrahedra;
   Material                   material;
+  /** Corners that do not lie on a cell of the material. */
+  std::size_t strangers{ 0 };
   /** How much the indicators are against it. */
   double cost{ 0.0 };
 };

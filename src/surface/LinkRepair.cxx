@@ -23,6 +23,7 @@
 #include "surface/TetrahedronSupport.h"
 
 #include <algorithm>
+#include <tuple>
 #include <unordered_map>
 
 namespace mmm
@@ -46,19 +47,20 @@ class LinkRepairer
 {
 public:
   LinkRepairer(const IndicatorSet &         indicators,
-               const std::vector<Vector> &  points,
+               const ParticleSet &          particles,
                const TetrahedronAdjacency & adjacency,
                Material                     outside,
                TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
-    , m_Points(points)
+    , m_Particles(particles)
+    , m_Points(particles.positions)
     , m_Outside(outside)
     , m_Mesh(mesh)
     , m_Adjacency(adjacency)
     , m_Inspector(mesh, adjacency, outside)
     , m_Changes(mesh, adjacency, outside)
     , m_Sizes(indicators.GetNumberOfMaterials() + 1, 0)
-    , m_Defects(points.size(), Unknown)
+    , m_Defects(particles.Size(), Unknown)
   {
     for (const Material m : mesh.materials)
     {
@@ -103,10 +105,12 @@ private:
     std::vector<LinkChange> changes = m_Changes.List(p, withPairs);
     for (LinkChange & change : changes)
     {
+      change.strangers = this->CountStrangers(change);
       change.cost = this->CostOf(change);
     }
-    std::stable_sort(
-      changes.begin(), changes.end(), [](const LinkChange & a, const LinkChange & b) { return a.cost < b.cost; });
+    std::stable_sort(changes.begin(), changes.end(), [](const LinkChange & a, const LinkChange & b) {
+      return std::tie(a.strangers, a.cost) < std::tie(b.strangers, b.cost);
+    });
     const auto best =
       std::find_if(changes.begin(), changes.end(), [this](const LinkChange & change) { return this->Helps(change); });
     if (best == changes.end())
@@ -123,6 +127,19 @@ private:
       }
     }
     return best->tetrahedra.size();
+  }
+
+  std::size_t
+  CountStrangers(const LinkChange & change) const
+  {
+    std::size_t count = 0;
+    for (const auto t : change.tetrahedra)
+    {
+      const auto & corners = m_Mesh.tetrahedra[t];
+      count += std::size_t(std::count_if(
+        corners.begin(), corners.end(), [&](PointId p) { return !m_Particles.CellOf(p).Has(change.material); }));
+    }
+    return count;
   }
 
   double
@@ -231,6 +248,7 @@ private:
   }
 
   const IndicatorSet &         m_Indicators;
+  const ParticleSet &          m_Particles;
   const std::vector<Vector> &  m_Points;
   const Material               m_Outside;
   TetrahedralMesh &            m_Mesh;
@@ -250,11 +268,11 @@ private:
 
 LinkRepairReport
 RepairLinks(const IndicatorSet &         indicators,
-            const std::vector<Vector> &  points,
+            const ParticleSet &          particles,
             const TetrahedronAdjacency & adjacency,
             Material                     outside,
             TetrahedralMesh &            mesh)
 {
-  return LinkRepairer(indicators, points, adjacency, outside, mesh).Repair();
+  return LinkRepairer(indicators, particles, adjacency, outside, mesh).Repair();
 }
 } // namespace mmm

@@ -19,6 +19,7 @@
 #define mmmLinkRepair_h
 
 #include "indicators/IndicatorSet.h"
+#include "particles/Particles.h"
 #include "surface/LinkDefects.h"
 
 namespace mmm
@@ -32,10 +33,11 @@ struct LinkRepairReport
 };
 
 /** Gives tetrahedra at defects to another material around them, as long as that leaves fewer defects: of several ways
- * the one that disagrees least with the indicators. No material is lost. */
+ * one with as few corners as possible that lie
+ * on no cell of the material, and of these the one that disagrees least with the indicators. No material is lost. */
 LinkRepairReport
 RepairLinks(const IndicatorSet &         indicators,
-            const std::vector<Vector> &  points,
+            const ParticleSet &          particles,
             const TetrahedronAdjacency & adjacency,
             Material                     outside,
             TetrahedralMesh &            mesh);

@@ -57,6 +57,23 @@ struct SurfaceRoundParameters
   static constexpr float CoarseSize = 1.75f;
 };
 
+/** Numbers of FindMissingSamples() and AddMissingSamples(). */
+struct MissingSampleParameters
+{
+  /** Triangulations after the last round that add samples, at most; mostly two or three do. */
+  static constexpr int Rounds = 6;
+  /** Steps along an edge: nothing that is sampled is thinner. */
+  static constexpr double LongestStep = 0.5;
+  /** Halvings of a step, to where the material changes. */
+  static constexpr int Halvings = 6;
+  /** How far such a place may be from the cell. */
+  static constexpr double Reach = 0.5;
+  /** A sample and a particle that are closer are the same, as are a particle and a cell. */
+  static constexpr double SameDistance = 0.15;
+  /** A particle of a surface that is closer to a sample of its rim is not needed any more, in h. */
+  static constexpr double CrowdedDistance = 0.35;
+};
+
 /** Numbers of FindLostNodes(). */
 struct LostNodeParameters
 {

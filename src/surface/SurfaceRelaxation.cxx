@@ -117,19 +117,21 @@ CollectOffEdges(const std::vector<Triangle> & triangles,
   return edges;
 }
 
-/** The 2-cell that an edge between two particles runs on: the one that both lie on or bound. */
+/** The cell that an edge between two particles runs on, a surface or a curve: the one that both lie on or bound. */
 bool
-CommonSurface(const IndicatorSet & indicators, const Cell & a, const Cell & b, Cell & surface)
+CommonCell(const IndicatorSet & indicators, const Cell & a, const Cell & b, Cell & common)
 {
-  surface.count = 0;
+  common.count = 0;
+  int planes = 0;
   for (const Material m : a)
   {
-    if (b.Has(m) && surface.count < 3)
+    if (b.Has(m))
     {
-      surface.materials[surface.count++] = m;
+      common.materials[common.count++] = m;
+      planes += indicators.IsPlane(m);
     }
   }
-  return surface.count == 2 && !(indicators.IsPlane(surface.materials[0]) && indicators.IsPlane(surface.materials[1]));
+  return (common.count == 2 || common.count == 3) && planes < common.count;
 }
 
 std::size_t
@@ -173,15 +175,15 @@ AdaptToEdges(const IndicatorSet &          indicators,
       }
       continue;
     }
-    Cell surface;
-    if (!CommonSurface(indicators, cellA, cellB, surface))
+    Cell common;
+    if (!CommonCell(indicators, cellA, cellB, common))
     {
       continue;
     }
-    const auto known = std::find(particles.cellTable.begin(), particles.cellTable.end(), surface);
+    const auto known = std::find(particles.cellTable.begin(), particles.cellTable.end(), common);
     Vector     x = 0.5 * (particles.positions[edge.a] + particles.positions[edge.b]);
     if (known != particles.cellTable.end() &&
-        indicators.ProjectWhereMaximal(surface, x, Parameters::Reach * sizes[edge.a]))
+        indicators.ProjectWhereMaximal(common, x, Parameters::Reach * sizes[edge.a]))
     {
       particles.positions.push_back(x);
       particles.cells.push_back(std::uint32_t(known - particles.cellTable.begin()));

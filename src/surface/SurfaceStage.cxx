@@ -27,6 +27,7 @@
 #include "surface/FlatTetrahedra.h"
 #include "surface/LinkRepair.h"
 #include "surface/LostNodes.h"
+#include "surface/MissingSamples.h"
 #include "surface/Sampling.h"
 #include "surface/SurfaceDescription.h"
 #include "surface/SurfaceLabelling.h"
@@ -38,6 +39,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace mmm
 {
@@ -104,6 +106,7 @@ public:
     for (int round = 0;;)
     {
       this->Triangulate();
+      this->AddMissing();
       tell();
       this->MendLinks();
       if (!this->Mend(round))
@@ -124,6 +127,14 @@ public:
     report.links.updatedCells = updated;
     InterfaceMesh interfaces = this->Interfaces();
     report.inconsistentTriangles = FindInconsistentTriangles(m_Indicators, m_Particles, interfaces, m_Exterior);
+    if (!report.inconsistentTriangles.empty())
+    {
+      report.warnings.push_back("Where labels meet in ways that no surface follows, " +
+                                std::to_string(report.inconsistentTriangles.size()) + " of " +
+                                std::to_string(interfaces.triangles.size()) +
+                                " triangles may be off their interface by about their size; the report has the "
+                                "places, and a smaller epsilon may help.");
+    }
     return interfaces;
   }
 
@@ -144,6 +155,27 @@ private:
     assert(AreAdjacent(m_Labelled.tetrahedra, m_Adjacency->neighbours));
   }
 
+  MissingSamples
+  FindMissing()
+  {
+    return FindMissingSamples(m_Indicators, m_Labelled, m_Adjacency->neighbours, m_Exterior, m_Particles);
+  }
+
+  /** Adds the samples that tetrahedra lack, and triangulates again, as long as there are any. */
+  void
+  AddMissing()
+  {
+    for (int round = 0; round < MissingSampleParameters::Rounds; ++round)
+    {
+      const auto missing = this->FindMissing();
+      if (missing.completedCells + AddMissingSamples(m_Indicators, m_Sizing, missing.samples, m_Particles) == 0)
+      {
+        return;
+      }
+      this->Triangulate();
+    }
+  }
+
   InterfaceMesh
   Interfaces() const
   {
@@ -155,8 +187,8 @@ private:
   void
   MendLinks()
   {
-    m_Repair = RepairLinks(m_Indicators, m_Particles.positions, *m_Adjacency, m_Exterior, m_Labelled);
-    TurnFlatTetrahedra(m_Indicators, m_Particles.positions, *m_Adjacency, m_Exterior, m_Labelled);
+    m_Repair = RepairLinks(m_Indicators, m_Particles, *m_Adjacency, m_Exterior, m_Labelled);
+    TurnFlatTetrahedra(m_Indicators, m_Particles, *m_Adjacency, m_Exterior, m_Labelled);
   }
 
   /** Relaxes the particles on the surface, and samples what it missed; the last time also what connects otherwise. */
@@ -170,7 +202,9 @@ private:
       this->MendLinks();
       missed.push_back(this->FindOtherTopology());
     }
+    const auto missing = this->FindMissing();
     RelaxOnSurface(m_Indicators, m_Sizing, interfaces, Parameters::SweepsPerRound, !isLast, m_Particles);
+    AddMissingSamples(m_Indicators, m_Sizing, missing.samples, m_Particles);
     MergeCloseParticles(m_Indicators, m_Sizing, m_Particles);
     for (const SparsePlaces & sparse : missed)
     {

@@ -49,10 +49,10 @@ struct SurfaceParameters
 /** \brief The interfaces: triangles between particles, which all are corners of one.
  *
  * Rounds of labelled Delaunay tetrahedralization and of relaxation of the particles on the triangles between the
- * materials; parts that a round missed are sampled more finely, for which sizes become smaller there. Links are mended,
- * see RepairLinks(). Where the topology is not that of the indicators, particles are added, too; with `keepTopology` in
- * more rounds, and looking more closely. With `compareTopology`, what is left of that goes to the report, in a stage
- * "topology" of its own. */
+ * materials; parts that a round missed are sampled more finely, for which sizes become smaller there. Samples that
+ * tetrahedra lack are added, see FindMissingSamples(); links are mended, see RepairLinks(). Where the topology is not
+ * that of the indicators, particles are added, too; with `keepTopology` in more rounds, and looking more closely. With
+ * `compareTopology`, what is left of that goes to the report, in a stage "topology" of its own. */
 InterfaceMesh
 BuildSurface(const IndicatorSet &      indicators,
              const SurfaceParameters & parameters,

@@ -16,6 +16,7 @@
  *
  *=========================================================================*/
 #include "surface/FlatTetrahedra.h"
+#include "support/TestParticles.h"
 #include "support/TestScenes.h"
 
 #include "gtest/gtest.h"
@@ -69,11 +70,13 @@ MakeHalfSpaces(double height)
     { { 16, 16, 16 } }, Vector::Ones(), 2, [height](const Vector & x) { return x[2] > height; }));
 }
 
+/** With all points on that cell. */
 std::size_t
-Turn(const mmmtest::Scene & scene, Lens & lens)
+Turn(const mmmtest::Scene & scene, Lens & lens, const mmm::Cell & cell = mmm::Cell{ 0, 1 })
 {
-  const mmm::TetrahedronAdjacency adjacency(lens.mesh.tetrahedra, lens.points.size());
-  return mmm::TurnFlatTetrahedra(*scene.indicators, lens.points, adjacency, Outside, lens.mesh);
+  const auto                      particles = mmmtest::MakeParticles(lens.points, cell);
+  const mmm::TetrahedronAdjacency adjacency(lens.mesh.tetrahedra, particles.Size());
+  return mmm::TurnFlatTetrahedra(*scene.indicators, particles, adjacency, Outside, lens.mesh);
 }
 } // namespace
 
@@ -97,6 +100,13 @@ TEST(FlatTetrahedra, StayWhereTheIndicatorsAreAgainstTheOtherSide)
   const auto scene = MakeHalfSpaces(5.5);
   Lens       lens(1);
   EXPECT_EQ(Turn(scene, lens), 0u);
+}
+
+TEST(FlatTetrahedra, StayWhereTheirCornersLieOnNoCellOfTheOtherMaterial)
+{
+  const auto scene = MakeHalfSpaces(7.5);
+  Lens       lens(1);
+  EXPECT_EQ(Turn(scene, lens, mmm::Cell{ 1, 2 }), 0u);
 }
 
 TEST(FlatTetrahedra, StayWhereTheirMaterialHasNoOther)

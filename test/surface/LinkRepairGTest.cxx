@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "base/Hash.h"
 #include "surface/LinkRepair.h"
+#include "support/TestParticles.h"
 #include "support/TestScenes.h"
 #include "support/TestTetrahedra.h"
 
@@ -27,19 +28,21 @@ namespace
 /** The eight tetrahedra around the origin whose outer faces make an octahedron. */
 struct Octahedron
 {
-  std::vector<mmm::Vector> points;
-  mmm::TetrahedralMesh     mesh;
+  /** All on cells of the materials 0 to 2. */
+  mmm::ParticleSet     particles;
+  mmm::TetrahedralMesh mesh;
 
   /** `materialAt` gives the material of the octant of three signs. */
   template <typename TFunction>
   explicit Octahedron(const mmm::Vector & centre, const TFunction & materialAt)
   {
-    points.push_back(centre);
+    std::vector<mmm::Vector> points{ centre };
     for (int a = 0; a < 3; ++a)
     {
       points.push_back(centre + mmm::Vector::Unit(a));
       points.push_back(centre - mmm::Vector::Unit(a));
     }
+    particles = mmmtest::MakeParticles(points, mmm::Cell{ 0, 1, 2 });
     for (int octant = 0; octant < 8; ++octant)
     {
       std::array<std::uint32_t, 3> outer;
@@ -63,7 +66,7 @@ struct Octahedron
   mmm::TetrahedronAdjacency
   Adjacency() const
   {
-    return { mesh.tetrahedra, points.size() };
+    return { mesh.tetrahedra, particles.Size() };
   }
 };
 
@@ -115,7 +118,7 @@ TEST(LinkRepair, MendsConesThatTouchWhereTheIndicatorsMindLeast)
     }));
   Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int y, int z) { return x == y && y == z; });
   const auto report =
-    mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh);
+    mmm::RepairLinks(*scene.indicators, octahedron.particles, octahedron.Adjacency(), Outside, octahedron.mesh);
   EXPECT_EQ(report.found.points.size(), 1u);
   EXPECT_EQ(report.left.points.size(), 0u);
   EXPECT_EQ(report.relabelled, 1u);
@@ -124,14 +127,33 @@ TEST(LinkRepair, MendsConesThatTouchWhereTheIndicatorsMindLeast)
   EXPECT_TRUE(DefectsOf(octahedron).points.empty());
 }
 
+TEST(LinkRepair, MendsRatherWhereAllCornersLieOnCellsOfTheMaterial)
+{
+  // as above, but the lower cone has corners on no cell of material 0
+  const mmmtest::Scene scene(
+    mmmtest::MakeMaterials({ { 16, 16, 16 } }, mmm::Vector::Ones(), 2, [](const mmm::Vector & x) {
+      return x[0] > 7.9 && x[1] > 7.9 && x[2] > 7.9;
+    }));
+  Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int y, int z) { return x == y && y == z; });
+  octahedron.particles.cellTable.push_back(mmm::Cell{ 1, 2 });
+  for (const auto corner : octahedron.mesh.tetrahedra[7])
+  {
+    octahedron.particles.cells[corner] = corner == 0 ? 0 : 1;
+  }
+  mmm::RepairLinks(*scene.indicators, octahedron.particles, octahedron.Adjacency(), Outside, octahedron.mesh);
+  EXPECT_EQ(octahedron.mesh.materials[0], 0);
+  EXPECT_EQ(octahedron.mesh.materials[7], 1);
+  EXPECT_TRUE(DefectsOf(octahedron).points.empty());
+}
+
 TEST(LinkRepair, LeavesAMeshWithoutDefects)
 {
   const mmmtest::Scene scene(mmmtest::MakeMaterials(
     { { 16, 16, 16 } }, mmm::Vector::Ones(), 2, [](const mmm::Vector & x) { return x[2] > 7.9; }));
   Octahedron           octahedron(mmm::Vector(7.5, 7.5, 7.5), [](int x, int, int) { return x > 0; });
-  EXPECT_EQ(
-    mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh).relabelled,
-    0u);
+  EXPECT_EQ(mmm::RepairLinks(*scene.indicators, octahedron.particles, octahedron.Adjacency(), Outside, octahedron.mesh)
+              .relabelled,
+            0u);
 }
 
 TEST(LinkRepair, LosesNoMaterial)
@@ -143,7 +165,7 @@ TEST(LinkRepair, LosesNoMaterial)
     }));
   Octahedron octahedron(mmm::Vector(7.5, 7.5, 7.5),
                         [](int x, int y, int z) { return x == y && y == z ? (x > 0 ? 1 : 2) : 0; });
-  mmm::RepairLinks(*scene.indicators, octahedron.points, octahedron.Adjacency(), Outside, octahedron.mesh);
+  mmm::RepairLinks(*scene.indicators, octahedron.particles, octahedron.Adjacency(), Outside, octahedron.mesh);
   const auto & materials = octahedron.mesh.materials;
   EXPECT_EQ(std::count(materials.begin(), materials.end(), 2), 1);
 }
@@ -157,15 +179,15 @@ TEST(LinkRepair, OfNoiseLeavesFewDefectsAndTellsOfThem)
       return noise(std::size_t(x[0] + Size * (x[1] + Size * x[2])));
     }));
   const mmm::Grid &    grid = scene.indicators->GetGrid();
-  const auto           points = mmmtest::MakeNodes(grid);
+  const auto           particles = mmmtest::MakeParticles(mmmtest::MakeNodes(grid), mmm::Cell{ 0, 1, 2 });
   mmm::TetrahedralMesh mesh;
   mesh.tetrahedra = mmmtest::MakeFreudenthalTetrahedra(grid);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
   {
     mesh.materials.push_back(noise(t));
   }
-  const mmm::TetrahedronAdjacency adjacency(mesh.tetrahedra, points.size());
-  const auto                      report = mmm::RepairLinks(*scene.indicators, points, adjacency, Outside, mesh);
+  const mmm::TetrahedronAdjacency adjacency(mesh.tetrahedra, particles.Size());
+  const auto                      report = mmm::RepairLinks(*scene.indicators, particles, adjacency, Outside, mesh);
   const auto                      left = mmm::FindLinkDefects(mesh, adjacency, Outside);
   EXPECT_EQ(report.left.points, left.points);
   EXPECT_EQ(report.left.edges, left.edges);

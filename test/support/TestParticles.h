@@ -1,0 +1,39 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#ifndef mmmTestParticles_h
+#define mmmTestParticles_h
+
+#include "particles/Particles.h"
+
+#include <utility>
+
+namespace mmmtest
+{
+/** Particles at some points, all on one cell. */
+inline mmm::ParticleSet
+MakeParticles(std::vector<mmm::Vector> points, const mmm::Cell & cell)
+{
+  mmm::ParticleSet particles;
+  particles.cells.assign(points.size(), 0);
+  particles.positions = std::move(points);
+  particles.cellTable = { cell };
+  return particles;
+}
+} // namespace mmmtest
+
+#endif
