@@ -81,6 +81,11 @@ public:
   itkBooleanMacro(RAS);
 
   /** The label of what is not meshed, GetOutsideLabel() of the filters. Used by "simnibs". Default 0. */
+  /** Whether `.vtu` files say that they are in LPS, see VTUMeshIO. Default false. */
+  itkSetMacro(WriteSpace, bool);
+  itkGetConstMacro(WriteSpace, bool);
+  itkBooleanMacro(WriteSpace);
+
   itkSetMacro(OutsideLabel, int);
   itkGetConstMacro(OutsideLabel, int);
 
@@ -124,6 +129,7 @@ private:
   std::string                        m_MshFormat{ "4.1" };
   bool                               m_RAS{ false };
   int                                m_OutsideLabel{ 0 };
+  bool                               m_WriteSpace{ false };
 };
 } // end namespace itk
 

@@ -33,8 +33,8 @@ namespace itk
  * \brief Reads and writes meshes as VTK XML unstructured grids (`.vtu`), with their labels.
  *
  * Vertices, lines, triangles, quadrilaterals, polygons, tetrahedra, hexahedra and the quadratic edges and triangles of
- * ITK are supported, mixed if need be. Coordinates are those of ITK (LPS), and the file says so in the field data array
- * `SPACE`, which 3D Slicer reads; a file whose `SPACE` is RAS is converted to LPS.
+ * ITK are supported, mixed if need be. Coordinates are those of ITK (LPS), which is what 3D Slicer takes a file for
+ * that says nothing else. A file whose field data array `SPACE`, which is Slicer's, is RAS is converted to LPS.
  *
  * Writing: the file is text if the file type is ASCII, else base64, compressed by zlib if UseCompression is on.
  * itk::MeshFileWriter sets both, to ASCII and off unless told otherwise; an IO on its own starts with compressed
@@ -101,8 +101,9 @@ public:
     return m_PointDataNames;
   }
 
-  /** Whether to write the field data array `SPACE`. Default: true. The Python package meshio (5.3) rejects files with
-   * such a string array; without it, 3D Slicer assumes LPS, too. */
+  /** Whether to write the field data array `SPACE`, which says that the points are in LPS. Default: false, as the
+   * Python package meshio (5.3), and what uses it, ends at such a string array. 3D Slicer needs it for models of scenes
+   * that were saved before Slicer 4.11, which are in RAS unless their file says otherwise. */
   itkSetMacro(WriteSpace, bool);
   itkGetConstMacro(WriteSpace, bool);
   itkBooleanMacro(WriteSpace);
@@ -172,7 +173,7 @@ private:
 
   NamesType m_CellDataNames{ "label" };
   NamesType m_PointDataNames{ "point_data" };
-  bool      m_WriteSpace{ true };
+  bool      m_WriteSpace{ false };
 
   std::unique_ptr<ReadState>  m_Read;
   std::unique_ptr<WriteState> m_Written;

@@ -136,9 +136,11 @@ LabelMeshFileWriter::Write() const
   {
     itkExceptionMacro("There is no MshFormat '" << m_MshFormat << "'.");
   }
+  const auto vtu = VTUMeshIO::New();
+  vtu->SetWriteSpace(m_WriteSpace);
   if (m_Tetrahedra && extension == ".vtu")
   {
-    this->WriteBy(VTUMeshIO::New().GetPointer(), m_Tetrahedra.GetPointer());
+    this->WriteBy(vtu.GetPointer(), m_Tetrahedra.GetPointer());
     return;
   }
   if (!m_Surface)
@@ -147,9 +149,8 @@ LabelMeshFileWriter::Write() const
   }
   if (extension == ".vtu")
   {
-    const auto io = VTUMeshIO::New();
-    io->SetCellDataNames({ "label_a", "label_b" });
-    this->WriteBy(io.GetPointer(), m_Surface.GetPointer());
+    vtu->SetCellDataNames({ "label_a", "label_b" });
+    this->WriteBy(vtu.GetPointer(), m_Surface.GetPointer());
   }
   else if (extension == ".stl")
   {
@@ -181,3 +182,4 @@ LabelMeshFileWriter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "OutsideLabel: " << m_OutsideLabel << '\n';
 }
 } // end namespace itk
+  os << indent << "WriteSpace: " << (m_WriteSpace ? "On" : "Off") << '\n';

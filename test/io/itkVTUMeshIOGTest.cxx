@@ -122,21 +122,23 @@ TEST_F(VTUMeshIOTest, WritesWhatTheModeSays)
   EXPECT_TRUE(Contains(Content(Name()), "header_type=\"UInt64\""));
 }
 
-TEST_F(VTUMeshIOTest, SaysThatCoordinatesAreLPSUnlessToldNotTo)
+TEST_F(VTUMeshIOTest, SaysThatCoordinatesAreLPSIfTold)
 {
   const std::string space = "Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">\n        76 80 83 0\n";
   const auto        io = itk::VTUMeshIO::New();
   Write(MakeTetrahedra().GetPointer(), Name(), Mode::Compressed, io);
-  EXPECT_TRUE(Contains(Content(Name()), space));
-  io->WriteSpaceOff();
-  Write(MakeTetrahedra().GetPointer(), Name(), Mode::Compressed, io);
   EXPECT_FALSE(Contains(Content(Name()), "SPACE"));
+  io->WriteSpaceOn();
+  Write(MakeTetrahedra().GetPointer(), Name(), Mode::Compressed, io);
+  EXPECT_TRUE(Contains(Content(Name()), space));
   ExpectTetrahedra(Read(Name()));
 }
 
 TEST_F(VTUMeshIOTest, ReadsRASAsLPS)
 {
-  Write(MakeTetrahedra().GetPointer(), Name());
+  const auto io = itk::VTUMeshIO::New();
+  io->WriteSpaceOn();
+  Write(MakeTetrahedra().GetPointer(), Name(), Mode::Compressed, io);
   Save(Name(), Replaced(Content(Name()), "76 80 83 0", "82 65 83 0"));
   const auto mesh = Read(Name());
   EXPECT_EQ(mesh->GetPoint(1)[0], -third);

@@ -171,7 +171,8 @@ MakeTable()
     { "quiet", &S::quiet, Kind::Flag, "", "", AnyValue, "",
       "Print warnings and errors only." },
     { "slicer-progress", &S::slicerProgress, Kind::Flag, "", "", AnyValue, "",
-      "Print progress as the XML elements that 3D Slicer reads, which passes this option.", {}, Audience::Hidden } } },
+      "As 3D Slicer wants it, which passes this option: progress as XML elements, and .vtu files that say LPS.",
+      {}, Audience::Hidden } } },
   };
 }
 // clang-format on

@@ -26,9 +26,9 @@ namespace cli
 {
 namespace
 {
-/** Whether a file is written that does not say what its points are in. */
+/** Whether a file is written that can be in RAS. */
 bool
-HasFileWithoutSpace(const Settings & settings)
+HasOtherFileThanVTU(const Settings & settings)
 {
   const auto isVTU = [](const std::string & name) {
     return name.empty() || FindExtension(Kind::Particles, name) == ".vtu";
@@ -103,9 +103,9 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("with --surface-only, OUTPUT is the surface; leave out --surface");
   }
-  if (settings.ras && !HasFileWithoutSpace(settings))
+  if (settings.ras && !HasOtherFileThanVTU(settings))
   {
-    throw UsageError("--ras is for other files than .vtu, which say that their points are in LPS");
+    throw UsageError("--ras is for other files than .vtu, whose points are always in LPS");
   }
 }
 } // namespace cli

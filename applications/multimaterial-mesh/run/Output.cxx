@@ -49,6 +49,7 @@ WriteMesh(Outcome &                         outcome,
   writer->SetFileName(fileName);
   writer->SetMshFormat(outcome.settings.mshFormat);
   writer->SetRAS(outcome.settings.ras);
+  writer->SetWriteSpace(outcome.settings.slicerProgress);
   writer->SetOutsideLabel(outcome.filter->GetOutsideLabel());
   writer->Write();
   outcome.files.push_back(fileName);
@@ -56,8 +57,9 @@ WriteMesh(Outcome &                         outcome,
 
 template <typename TMesh>
 void
-WriteVTU(const TMesh * mesh, const std::string & fileName, itk::VTUMeshIO * io)
+WriteVTU(Outcome & outcome, const TMesh * mesh, const std::string & fileName, itk::VTUMeshIO * io)
 {
+  io->SetWriteSpace(outcome.settings.slicerProgress);
   const auto writer = itk::MeshFileWriter<TMesh>::New();
   writer->SetInput(mesh);
   writer->SetFileName(fileName);
@@ -65,24 +67,23 @@ WriteVTU(const TMesh * mesh, const std::string & fileName, itk::VTUMeshIO * io)
   writer->UseCompressionOn();
   writer->SetFileTypeAsBINARY();
   writer->Update();
+  outcome.files.push_back(fileName);
 }
 
 void
-WriteParticles(const itk::LabelParticleMesh * particles, const std::string & fileName)
+WriteParticles(Outcome & outcome)
 {
   const auto io = itk::VTUMeshIO::New();
   io->SetPointDataNames({ "dimension", "label_a", "label_b", "label_c", "label_d" });
-  WriteVTU(particles, fileName, io);
+  WriteVTU(outcome, outcome.particles.GetPointer(), outcome.settings.particles, io);
 }
 
 void
-WriteJunctions(const itk::LabelJunctionMesh * junctions, const std::string & fileName)
+WriteJunctions(Outcome & outcome)
 {
   const auto io = itk::VTUMeshIO::New();
-  // meshio reads it then
-  io->WriteSpaceOff();
   io->SetCellDataNames({ "curve", "label_count", "label_a", "label_b", "label_c", "label_d" });
-  WriteVTU(junctions, fileName, io);
+  WriteVTU(outcome, outcome.junctions.GetPointer(), outcome.settings.junctions, io);
 }
 
 /** ITK's image writers do not notice that a disk is full. */
@@ -150,13 +151,11 @@ WriteMeshes(Outcome & outcome)
   }
   if (!settings.particles.empty())
   {
-    WriteParticles(outcome.particles, settings.particles);
-    outcome.files.push_back(settings.particles);
+    WriteParticles(outcome);
   }
   if (!settings.junctions.empty())
   {
-    WriteJunctions(outcome.junctions, settings.junctions);
-    outcome.files.push_back(settings.junctions);
+    WriteJunctions(outcome);
   }
 }
 

@@ -291,6 +291,24 @@ TEST_F(SlicerModule, ProgressIsLinesOfXMLThatNeverGoBack)
   EXPECT_EQ(result.output.rfind("<filter-start>\n<filter-name>reading</filter-name>\n", 0), 0u);
 }
 
+TEST_F(SlicerModule, FilesSayThatTheyAreInLPSWhenSlicerRunsIt)
+{
+  const std::vector<std::string> arguments{
+    "--quiet",   this->WriteBalls(),       this->Path("out.vtu"), "--particles", this->Path("particles.vtu"),
+    "--surface", this->Path("surface.vtu")
+  };
+  for (const bool bySlicer : { true, false })
+  {
+    auto all = arguments;
+    all.insert(all.end(), bySlicer, "--slicer-progress");
+    EXPECT_EQ(Run(all).exitCode, 0);
+    for (const char * const name : { "out.vtu", "particles.vtu", "surface.vtu" })
+    {
+      EXPECT_EQ(this->Contents(name).find("SPACE") != std::string::npos, bySlicer) << name;
+    }
+  }
+}
+
 TEST_F(SlicerModule, QuietHasNoProgress)
 {
   const auto result = Run({ "--slicer-progress", "--quiet", this->WriteBalls(), this->Path("out.vtu") });

@@ -30,7 +30,7 @@ namespace mmm
 struct VTUContent
 {
   VTUEncoding     encoding{ VTUEncoding::CompressedBase64 };
-  bool            hasSpace{ true };
+  bool            hasSpace{ false };
   std::size_t     numberOfPoints{ 0 };
   std::size_t     numberOfCells{ 0 };
   std::size_t     numberOfPointPixels{ 0 };
