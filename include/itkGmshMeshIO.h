@@ -31,7 +31,7 @@ namespace itk
  * same number. Cells keep their order. See GroupedMeshIOBase for the rest.
  *
  * Writing: text if the file type is ASCII, which itk::MeshFileWriter sets unless told otherwise, else binary, which an
- * IO on its own starts with. In version 4.1, each group is an entity; of entities, neither shape nor borders are told.
+ * IO on its own starts with. In version 4.1, each group is an entity of its number, without shape and borders.
  *
  * Reading: either version and byte order; elements of first order. Other sections, such as those of post-processing,
  * are skipped. If an entity belongs to several physical groups, the first one counts, and a warning says so. A mesh

@@ -157,6 +157,17 @@ TEST_F(GmshMeshIOTest, WritesTheVersionAndTypeThatAreAskedFor)
   }
 }
 
+TEST_F(GmshMeshIOTest, GivesEntitiesTheNumbersOfTheirGroups)
+{
+  WriteAs({ false, true }, MakeMixed<int>({ 7, 3, 100000, 3, 7, 12 }).GetPointer());
+  const auto content = Content(File());
+  // dimension, entity, type and count of a block of elements
+  for (const char * const block : { "\n3 3 4 2\n", "\n3 12 4 1\n", "\n2 7 2 2\n" })
+  {
+    EXPECT_TRUE(Contains(content, block)) << block << content;
+  }
+}
+
 TEST_F(GmshMeshIOTest, NumbersLabelsThatAreNoGroupsAndTellsWhich)
 {
   // Groups of Gmsh are positive.

@@ -80,13 +80,14 @@ FindEntities(const CellMesh & mesh, const std::vector<std::size_t> & begins)
     // Nodes have to belong to something.
     Enclose(entities[Group(0, 0)], true, mesh.points.data());
   }
-  int tag = 0;
-  int dimension = -1;
   for (auto & [group, entity] : entities)
   {
-    tag = group.first == dimension ? tag + 1 : 1;
-    dimension = group.first;
-    entity.tag = tag;
+    // Gmsh exports to other formats with the entity's number. A group of cells without number has the first free one.
+    entity.tag = group.second;
+    for (int tag = 1; entity.tag == 0; ++tag)
+    {
+      entity.tag = entities.count({ group.first, tag }) == 0 ? tag : 0;
+    }
   }
   return entities;
 }
