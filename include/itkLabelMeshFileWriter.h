@@ -38,7 +38,7 @@ class MeshIOBase;
  * - `.vtu`: the tetrahedra with the cell array `label`; without tetrahedra, the triangles with `label_a` and `label_b`.
  * - `.msh` (Gmsh) and `.mesh` (Medit): the triangles, a group for each pair of labels, and the tetrahedra, a group for
  *   each label, if there are some.
- * - `.stl`, `.obj`, `.off`: the triangles, without labels.
+ * - `.stl`, `.obj`, `.off`, `.surf` (FreeSurfer): the triangles, without labels.
  *
  * The surface's points have to be the first ones of the tetrahedra's, as they are from the filters of this module. A
  * file appears under its name only when it is complete, see OutputFile.
@@ -75,17 +75,18 @@ public:
   itkSetStringMacro(MshFormat);
   itkGetStringMacro(MshFormat);
 
-  /** Whether points are in RAS, in files that cannot say that theirs are in LPS: all but `.vtu`. Default false. */
+  /** Whether points are in RAS, in all files but `.vtu`, which are always in LPS, and `.surf`, which are always in RAS.
+   * Default false. */
   itkSetMacro(RAS, bool);
   itkGetConstMacro(RAS, bool);
   itkBooleanMacro(RAS);
 
-  /** The label of what is not meshed, GetOutsideLabel() of the filters. Used by "simnibs". Default 0. */
   /** Whether `.vtu` files say that they are in LPS, see VTUMeshIO. Default false. */
   itkSetMacro(WriteSpace, bool);
   itkGetConstMacro(WriteSpace, bool);
   itkBooleanMacro(WriteSpace);
 
+  /** The label of what is not meshed, GetOutsideLabel() of the filters. Used by "simnibs". Default 0. */
   itkSetMacro(OutsideLabel, int);
   itkGetConstMacro(OutsideLabel, int);
 
@@ -128,8 +129,8 @@ private:
   std::string                        m_FileName;
   std::string                        m_MshFormat{ "4.1" };
   bool                               m_RAS{ false };
-  int                                m_OutsideLabel{ 0 };
   bool                               m_WriteSpace{ false };
+  int                                m_OutsideLabel{ 0 };
 };
 } // end namespace itk
 

@@ -29,10 +29,12 @@
 namespace itk
 {
 /** \class LabelSurfaceMeshFilter
- * \brief The closed surface of one label, from the triangles between all labels.
+ * \brief The closed surface of one label or of several as one, from the triangles between all labels.
  *
- * The label is the first of the output's cell data, and normals point away from it. Points that the label does not
- * touch are left out.
+ * The label inside is the first of the output's cell data, and normals point away from it. Triangles between the labels
+ * that count as one are left out, and so are points without triangles.
+ *
+ * \sa LabelHullMeshFilter
  *
  * \ingroup MultiMaterialMeshing
  */
@@ -51,9 +53,19 @@ public:
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(LabelSurfaceMeshFilter);
 
-  /** Whose surface to take. Default 1. */
-  itkSetMacro(Label, int);
-  itkGetConstMacro(Label, int);
+  /** Whose surface to take. Default {1}. */
+  void
+  SetLabels(const LabelsType & labels);
+  const LabelsType &
+  GetLabels() const
+  {
+    return m_Labels;
+  }
+  void
+  SetLabel(int label)
+  {
+    this->SetLabels({ label });
+  }
 
   /** The labels that have a surface, sorted, but for that of what is not meshed. */
   static LabelsType
@@ -70,7 +82,7 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  int m_Label{ 1 };
+  LabelsType m_Labels{ 1 };
 };
 } // end namespace itk
 

@@ -61,6 +61,14 @@ Append(std::string & bytes, T value)
   bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
 }
 
+template <typename T>
+void
+AppendBigEndian(std::string & bytes, T value)
+{
+  itk::ByteSwapper<T>::SwapFromSystemToBigEndian(&value);
+  bytes.append(reinterpret_cast<const char *>(&value), sizeof value);
+}
+
 void
 AppendVector(std::string & bytes, const Vector & vector)
 {
@@ -137,5 +145,35 @@ WriteOFF(const Mesh * mesh, const std::string & fileName, bool ras)
   itk::OutputFile::WriteWhole(fileName,
                               "OFF\n" + std::to_string(mesh->GetNumberOfPoints()) + ' ' +
                                 std::to_string(mesh->GetNumberOfCells()) + " 0\n" + TextOf(*mesh, ras, "", "3", 0));
+}
+
+void
+WriteFreeSurfer(const Mesh * mesh, const std::string & fileName)
+{
+  const std::size_t largest = std::numeric_limits<std::int32_t>::max();
+  if (mesh->GetNumberOfPoints() > largest || mesh->GetNumberOfCells() > largest)
+  {
+    itkGenericExceptionMacro("cannot write " << fileName
+                                             << ": it has more points or triangles than FreeSurfer can count");
+  }
+  std::string bytes = "\xFF\xFF\xFE" + SpaceComment(true) + "\n\n";
+  AppendBigEndian(bytes, static_cast<std::int32_t>(mesh->GetNumberOfPoints()));
+  AppendBigEndian(bytes, static_cast<std::int32_t>(mesh->GetNumberOfCells()));
+  for (itk::IdentifierType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const Vector point = PointOf(*mesh, i, true);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      AppendBigEndian(bytes, static_cast<float>(point[axis]));
+    }
+  }
+  for (auto cell = mesh->GetCells()->Begin(); cell != mesh->GetCells()->End(); ++cell)
+  {
+    for (auto id = cell.Value()->PointIdsBegin(); id != cell.Value()->PointIdsEnd(); ++id)
+    {
+      AppendBigEndian(bytes, static_cast<std::int32_t>(*id));
+    }
+  }
+  itk::OutputFile::WriteWhole(fileName, bytes);
 }
 } // namespace mmm

@@ -34,6 +34,9 @@ void
 WriteOBJ(const itk::LabelInterfaceMesh * mesh, const std::string & fileName, bool ras);
 void
 WriteOFF(const itk::LabelInterfaceMesh * mesh, const std::string & fileName, bool ras);
+/** FreeSurfer's binary format, whose points are in RAS. */
+void
+WriteFreeSurfer(const itk::LabelInterfaceMesh * mesh, const std::string & fileName);
 } // namespace mmm
 
 #endif

@@ -58,7 +58,7 @@ LabelMeshFileWriter::GetVolumeExtensions()
 const std::vector<std::string> &
 LabelMeshFileWriter::GetSurfaceExtensions()
 {
-  static const std::vector<std::string> extensions{ ".vtu", ".msh", ".mesh", ".stl", ".obj", ".off" };
+  static const std::vector<std::string> extensions{ ".vtu", ".msh", ".mesh", ".stl", ".obj", ".off", ".surf" };
   return extensions;
 }
 
@@ -164,6 +164,10 @@ LabelMeshFileWriter::Write() const
   {
     mmm::WriteOFF(m_Surface, m_FileName, m_RAS);
   }
+  else if (extension == ".surf")
+  {
+    mmm::WriteFreeSurfer(m_Surface, m_FileName);
+  }
   else
   {
     this->WriteGroups(extension);
@@ -179,7 +183,7 @@ LabelMeshFileWriter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "FileName: " << m_FileName << '\n';
   os << indent << "MshFormat: " << m_MshFormat << '\n';
   os << indent << "RAS: " << (m_RAS ? "On" : "Off") << '\n';
+  os << indent << "WriteSpace: " << (m_WriteSpace ? "On" : "Off") << '\n';
   os << indent << "OutsideLabel: " << m_OutsideLabel << '\n';
 }
 } // end namespace itk
-  os << indent << "WriteSpace: " << (m_WriteSpace ? "On" : "Off") << '\n';

@@ -17,13 +17,9 @@
  *=========================================================================*/
 #include "itkLabelSurfaceMeshFilter.h"
 
-#include "itkTriangleCell.h"
+#include "output/OrientedTriangles.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <set>
-#include <utility>
 
 namespace itk
 {
@@ -40,55 +36,30 @@ LabelSurfaceMeshFilter::FindLabels(const LabelInterfaceMesh * surface, int outsi
 }
 
 void
+LabelSurfaceMeshFilter::SetLabels(const LabelsType & labels)
+{
+  if (labels != m_Labels)
+  {
+    m_Labels = labels;
+    this->Modified();
+  }
+}
+
+void
 LabelSurfaceMeshFilter::GenerateData()
 {
-  using Mesh = LabelInterfaceMesh;
-  const Mesh * const surface = this->GetInput();
-  Mesh * const       extracted = this->GetOutput();
-  constexpr auto     None = std::numeric_limits<IdentifierType>::max();
-  const auto         points = Mesh::PointsContainer::New();
-  const auto         cells = Mesh::CellsContainer::New();
-  const auto         data = Mesh::CellDataContainer::New();
-
-  std::vector<IdentifierType> places(surface->GetNumberOfPoints(), None);
-  for (auto it = surface->GetCells()->Begin(); it != surface->GetCells()->End(); ++it)
-  {
-    auto sides = surface->GetCellData()->ElementAt(it.Index());
-    if (sides[0] != m_Label && sides[1] != m_Label)
-    {
-      continue;
-    }
-    std::array<IdentifierType, 3> corners;
-    std::copy(it.Value()->PointIdsBegin(), it.Value()->PointIdsEnd(), corners.begin());
-    if (sides[0] != m_Label)
-    {
-      std::swap(sides[0], sides[1]);
-      std::swap(corners[1], corners[2]);
-    }
-    for (auto & corner : corners)
-    {
-      if (places[corner] == None)
-      {
-        places[corner] = points->Size();
-        points->InsertElement(points->Size(), surface->GetPoint(corner));
-      }
-      corner = places[corner];
-    }
-    auto * const cell = new TriangleCell<Mesh::CellType>;
-    cell->SetPointIds(corners.begin(), corners.end());
-    cells->InsertElement(cells->Size(), cell);
-    data->InsertElement(data->Size(), sides);
-  }
-  extracted->SetCellsAllocationMethod(MeshEnums::MeshClassCellsAllocationMethod::CellsAllocatedDynamicallyCellByCell);
-  extracted->SetPoints(points);
-  extracted->SetCells(cells);
-  extracted->SetCellData(data);
+  mmm::SetTriangles(*this->GetInput(), mmm::FindSurface(*this->GetInput(), m_Labels), this->GetOutput());
 }
 
 void
 LabelSurfaceMeshFilter::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "Label: " << m_Label << '\n';
+  os << indent << "Labels:";
+  for (const int label : m_Labels)
+  {
+    os << ' ' << label;
+  }
+  os << '\n';
 }
 } // end namespace itk

@@ -134,6 +134,18 @@ ParseLabelSizes(const Option & option, const std::string & text)
   }
 }
 
+Hull
+ParseHull(const Option & option, const std::string & text)
+{
+  const auto equals = text.rfind('=');
+  if (equals == std::string::npos || equals == 0 || text.substr(equals + 1) == "none")
+  {
+    throw UsageError("--" + option.name + " is '" + text + "'; it has to be " + option.placeholder +
+                     ", for instance brain.surf=3,4,5");
+  }
+  return { text.substr(0, equals), ParseLabels(option, text.substr(equals + 1)) };
+}
+
 void
 CheckChoice(const Option & option, const std::string & text)
 {
@@ -213,6 +225,23 @@ public:
                                                        this_.m_Settings.*field = texts;
                                                      })
       ->type_name(m_Option.placeholder);
+  }
+
+  void
+  operator()(std::vector<Hull> Settings::* field) const
+  {
+    m_Parser
+      .add_option_function<std::vector<std::string>>(SpellingsOf(m_Option),
+                                                     [this_ = *this, field](const std::vector<std::string> & texts) {
+                                                       for (const std::string & text : texts)
+                                                       {
+                                                         const Hull hull = ParseHull(this_.m_Option, text);
+                                                         CheckFileName(this_.m_Option, hull.file);
+                                                         (this_.m_Settings.*field).push_back(hull);
+                                                       }
+                                                     })
+      ->type_name(m_Option.placeholder)
+      ->allow_extra_args(false);
   }
 
   void

@@ -48,6 +48,7 @@ struct NamedFile
 {
   std::string option;
   std::string name;
+  Kind        kind;
 };
 
 /** Those that are not named by label. */
@@ -65,7 +66,7 @@ FilesOf(const Settings & settings, bool areOutputs)
     const auto add = [&](const std::string & name) {
       if (!name.empty())
       {
-        files.push_back({ NameOf(option), name });
+        files.push_back({ NameOf(option), name, option.kind });
       }
     };
     std::visit(
@@ -81,6 +82,13 @@ FilesOf(const Settings & settings, bool areOutputs)
           for (const std::string & name : value)
           {
             add(name);
+          }
+        }
+        else if constexpr (std::is_same_v<T, std::vector<Hull>>)
+        {
+          for (const Hull & hull : value)
+          {
+            add(hull.file);
           }
         }
       },
@@ -118,7 +126,7 @@ AddPrefix(std::vector<NamedFile> &       outputs,
                        "; choose another prefix");
     }
   }
-  outputs.push_back({ option, parts.first + '0' + parts.second });
+  outputs.push_back({ option, parts.first + '0' + parts.second, Kind::FilePrefix });
 }
 } // namespace
 
@@ -128,10 +136,10 @@ ExtensionsOf(Kind kind)
   // Images of a single file, so that it can be renamed once it is complete.
   static const std::vector<std::string> images{ ".nrrd", ".nii", ".nii.gz", ".mha" };
   static const std::vector<std::string> others{ ".vtu" };
-  return kind == Kind::Mesh          ? itk::LabelMeshFileWriter::GetVolumeExtensions()
-         : kind == Kind::Surface     ? itk::LabelMeshFileWriter::GetSurfaceExtensions()
-         : kind == Kind::OutputImage ? images
-                                     : others;
+  return kind == Kind::Mesh                             ? itk::LabelMeshFileWriter::GetVolumeExtensions()
+         : kind == Kind::Surface || kind == Kind::Hulls ? itk::LabelMeshFileWriter::GetSurfaceExtensions()
+         : kind == Kind::OutputImage                    ? images
+                                                        : others;
 }
 
 std::string
@@ -152,6 +160,21 @@ DescribeExtensions(Kind kind)
   return text;
 }
 
+std::vector<std::string>
+MeshFiles(const Settings & settings)
+{
+  std::vector<std::string> files{ settings.output };
+  for (const std::string & name : { settings.surface, settings.surfacePrefix })
+  {
+    files.insert(files.end(), !name.empty(), name);
+  }
+  for (const Hull & hull : settings.hulls)
+  {
+    files.push_back(hull.file);
+  }
+  return files;
+}
+
 std::string
 SurfaceName(const std::string & prefix, int label)
 {
@@ -169,25 +192,21 @@ IndicatorName(const std::string & prefix, int label)
 void
 CheckFileFormats(const Settings & settings)
 {
-  ForEachOption([&](const Option & option) {
-    const Kind         kind = option.kind == Kind::Mesh && settings.surfaceOnly ? Kind::Surface : option.kind;
-    const char * const what = kind == Kind::Mesh          ? "meshes"
-                              : kind == Kind::Surface     ? "surfaces"
-                              : kind == Kind::Particles   ? "particles"
-                              : kind == Kind::Junctions   ? "junctions"
-                              : kind == Kind::OutputImage ? "images"
-                                                          : nullptr;
-    if (what == nullptr)
+  for (const NamedFile & file : FilesOf(settings, true))
+  {
+    const Kind         kind = file.kind == Kind::Mesh && settings.surfaceOnly ? Kind::Surface : file.kind;
+    const char * const what = kind == Kind::Mesh                             ? "meshes"
+                              : kind == Kind::Surface || kind == Kind::Hulls ? "surfaces"
+                              : kind == Kind::Particles                      ? "particles"
+                              : kind == Kind::Junctions                      ? "junctions"
+                              : kind == Kind::OutputImage                    ? "images"
+                                                                             : nullptr;
+    if (what != nullptr && FindExtension(kind, file.name).empty())
     {
-      return;
-    }
-    const auto & fileName = settings.*std::get<std::string Settings::*>(option.target.field);
-    if (!fileName.empty() && FindExtension(kind, fileName).empty())
-    {
-      throw UsageError(NameOf(option) + " is '" + fileName + "'; " + what + " are written as " +
+      throw UsageError(file.option + " is '" + file.name + "'; " + what + " are written as " +
                        DescribeExtensions(kind));
     }
-  });
+  }
 }
 
 void

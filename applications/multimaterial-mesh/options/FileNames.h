@@ -46,6 +46,10 @@ SurfaceName(const std::string & prefix, int label);
 std::string
 IndicatorName(const std::string & prefix, int label);
 
+/** What is named for tetrahedra and surfaces, the prefix of --surface-per-label included. */
+std::vector<std::string>
+MeshFiles(const Settings & settings);
+
 /** Throws UsageError where a file is named in a format that there is not, or for two purposes, and itk::ExceptionObject
  * where it cannot be written: hours of work shall not be lost to a misspelled folder. */
 void

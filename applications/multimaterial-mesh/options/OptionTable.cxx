@@ -98,11 +98,15 @@ MakeTable()
       "File for the tetrahedra: .vtu (cell array 'label'), .msh (Gmsh) or .mesh (Medit); the latter two with the "
       "triangles between labels." },
     { "surface", &S::surface, Kind::Surface, "FILE", "", AnyValue, "",
-      "Also write the triangles between labels: .vtu (cell arrays 'label_a', 'label_b'), .msh or .mesh; .stl, .obj or "
-      ".off have no labels." },
+      "Also write the triangles between labels: .vtu (cell arrays 'label_a', 'label_b'), .msh or .mesh; .stl, .obj, "
+      ".off and .surf (FreeSurfer) have no labels." },
     { "surface-per-label", &S::surfacePrefix, Kind::FilePrefix, "PREFIX", "", AnyValue, "",
       "Also write the closed surface of each label as PREFIX<label>.stl, normals outward; PREFIX.vtu and so on gives "
       "another format." },
+    { "hull", &S::hulls, Kind::Hulls, "FILE=L[,L...]", "", AnyValue, "",
+      "Also write the outer surface of the labels together, without cavities, for boundary elements: a file as of "
+      "--surface; .surf is for MNE-Python. For several, give the option again.",
+      {}, Audience::CommandLine },
     { "particles", &S::particles, Kind::Particles, "FILE.vtu", "", AnyValue, "",
       "Also write the particles that sample the interfaces." },
     { "junctions", &S::junctions, Kind::Junctions, "FILE.vtu", "", AnyValue, "",
@@ -113,7 +117,7 @@ MakeTable()
       "Of .msh files: version 4.1 or 2.2, binary or text, or as SimNIBS wants it (2.2, RAS, its numbers of surfaces).",
       itk::LabelMeshFileWriter::GetMshFormats() },
     { "ras", &S::ras, Kind::Flag, "", "", AnyValue, "",
-      "Points in RAS instead of LPS; in .vtu they are always in LPS, and the file says so." } } },
+      "Points in RAS instead of LPS; in .vtu they are always in LPS, in .surf always in RAS." } } },
 
     { "Smoothing", "How the interfaces between labels are smoothed", {
     { "radius", PARAMETER(radius, Radius), Kind::Real, "R", "mm", NonNegative, "0.5 of the smallest spacing",
@@ -188,8 +192,8 @@ Option::IsPositional() const
 bool
 Option::IsOutput() const
 {
-  const Kind kinds[] = { Kind::Mesh,        Kind::Surface, Kind::Particles, Kind::Junctions,
-                         Kind::OutputImage, Kind::Report,  Kind::FilePrefix };
+  const Kind kinds[] = { Kind::Mesh,        Kind::Surface, Kind::Particles,  Kind::Junctions,
+                         Kind::OutputImage, Kind::Report,  Kind::FilePrefix, Kind::Hulls };
   return std::find(std::begin(kinds), std::end(kinds), kind) != std::end(kinds);
 }
 

@@ -58,6 +58,7 @@ enum class Kind
   OutputImage,
   Report,
   FilePrefix,
+  Hulls,
   TextFile
 };
 
@@ -78,6 +79,7 @@ using Field = std::variant<bool                         Settings::*,
                            std::string                  Settings::*,
                            std::vector<int>             Settings::*,
                            mmm::LabelSizeRules          Settings::*,
+                           std::vector<Hull>            Settings::*,
                            std::vector<std::string>     Settings::*>;
 
 /** \brief Where an option's value goes: a member of Settings and, for many, a parameter of the filter. */

@@ -28,6 +28,13 @@
 
 namespace cli
 {
+/** A file for the outer surface of what the labels fill together. */
+struct Hull
+{
+  std::string      file;
+  std::vector<int> labels;
+};
+
 /** \brief What the command line says. OptionTable() describes each member to the user.
  *
  * Lengths are in mm. Those without a value follow from the image's smallest spacing. */
@@ -52,14 +59,15 @@ struct Settings
   std::optional<double> airMargin;
   std::uint64_t         minIsland{ 8 };
 
-  std::string surface;
-  std::string particles;
-  std::string junctions;
-  bool        surfaceOnly{ false };
-  std::string surfacePrefix;
-  std::string mshFormat{ "4.1" };
-  bool        ras{ false };
-  std::string report;
+  std::string       surface;
+  std::string       particles;
+  std::string       junctions;
+  bool              surfaceOnly{ false };
+  std::string       surfacePrefix;
+  std::vector<Hull> hulls;
+  std::string       mshFormat{ "4.1" };
+  bool              ras{ false };
+  std::string       report;
 
   std::optional<double> radius;
   std::string           indicatorPrefix;

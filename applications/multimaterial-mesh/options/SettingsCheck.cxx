@@ -20,6 +20,7 @@
 #include "console/Errors.h"
 #include "options/FileNames.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace cli
@@ -30,10 +31,9 @@ namespace
 bool
 HasOtherFileThanVTU(const Settings & settings)
 {
-  const auto isVTU = [](const std::string & name) {
-    return name.empty() || FindExtension(Kind::Particles, name) == ".vtu";
-  };
-  return !isVTU(settings.output) || !isVTU(settings.surface) || !isVTU(settings.surfacePrefix);
+  const auto files = MeshFiles(settings);
+  return std::any_of(
+    files.begin(), files.end(), [](const std::string & name) { return FindExtension(Kind::Surface, name) != ".vtu"; });
 }
 
 void
@@ -50,6 +50,22 @@ CheckRegion(const Settings & settings)
     std::ostringstream message;
     message << "--roi-min-size is " << *smallest << " mm, but --roi-max-size is only " << *largest << " mm";
     throw UsageError(message.str());
+  }
+}
+
+void
+CheckHulls(const Settings & settings)
+{
+  for (const Hull & hull : settings.hulls)
+  {
+    for (const int label : hull.labels)
+    {
+      if (settings.IsExterior(label) && !settings.IsFilled())
+      {
+        throw UsageError("--hull " + hull.file + " has the label " + std::to_string(label) +
+                         ", which is exterior and not meshed");
+      }
+    }
   }
 }
 } // namespace
@@ -69,6 +85,7 @@ CheckSettings(const Settings & settings)
     throw UsageError("--sizing-mode replace needs --sizing-image");
   }
   CheckRegion(settings);
+  CheckHulls(settings);
   if (settings.IsFilled() && settings.exterior.empty())
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");

@@ -145,9 +145,9 @@ WarnOfAbsentIndicators(const Settings & settings, const mmm::LabelCounts & voxel
 void
 WarnOfUnusedFormat(const Settings & settings)
 {
+  const auto files = MeshFiles(settings);
   const auto isMsh = [](const std::string & name) { return FindExtension(Kind::Surface, name) == ".msh"; };
-  if (settings.mshFormat != Settings{}.mshFormat && !isMsh(settings.output) && !isMsh(settings.surface) &&
-      !isMsh(settings.surfacePrefix))
+  if (settings.mshFormat != Settings{}.mshFormat && std::none_of(files.begin(), files.end(), isMsh))
   {
     Warn("--msh-format " + settings.mshFormat + " has no effect, as no .msh file is written");
   }

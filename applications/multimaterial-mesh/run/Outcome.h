@@ -19,6 +19,7 @@
 #define Outcome_h
 
 #include "run/MeshFilter.h"
+#include "itkLabelHullMeshFilter.h"
 #include "MultiMaterialMeshingQuality.h"
 
 #include <vector>
@@ -36,10 +37,12 @@ struct Outcome
   itk::LabelInterfaceMesh::Pointer   surface;
   itk::LabelParticleMesh::Pointer    particles;
   itk::LabelJunctionMesh::Pointer    junctions;
-  mmm::MeshQualityReport             quality;
-  mmm::Distribution                  surfaceQuality;
-  std::vector<mmm::StageRecord>      stages;
-  double                             seconds{ 0.0 };
+  /** In the order of the settings' hulls. */
+  std::vector<itk::LabelHullMeshFilter::Pointer> hulls;
+  mmm::MeshQualityReport                         quality;
+  mmm::Distribution                              surfaceQuality;
+  std::vector<mmm::StageRecord>                  stages;
+  double                                         seconds{ 0.0 };
   /** Those that are written, in this order. */
   std::vector<std::string> files;
 };

@@ -149,6 +149,10 @@ WriteMeshes(Outcome & outcome)
       WriteMesh(outcome, nullptr, filter->GetOutput(), SurfaceName(settings.surfacePrefix, label));
     }
   }
+  for (std::size_t h = 0; h < outcome.hulls.size(); ++h)
+  {
+    WriteMesh(outcome, nullptr, outcome.hulls[h]->GetOutput(), settings.hulls[h].file);
+  }
   if (!settings.particles.empty())
   {
     WriteParticles(outcome);

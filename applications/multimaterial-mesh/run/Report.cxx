@@ -115,6 +115,17 @@ ToJson(const std::string & text)
 }
 
 Json
+ToJson(const std::vector<Hull> & hulls)
+{
+  Json list = Json::array();
+  for (const Hull & hull : hulls)
+  {
+    list.push_back({ { "file", hull.file }, { "labels", hull.labels } });
+  }
+  return list;
+}
+
+Json
 ToJson(const mmm::LabelSizeRules & rules)
 {
   return mmm::ToText(rules);
@@ -148,6 +159,23 @@ ParameterSection(const Settings & settings)
   return section;
 }
 
+Json
+HullSection(const Outcome & outcome)
+{
+  Json section = ToJson(outcome.settings.hulls);
+  for (std::size_t h = 0; h < section.size(); ++h)
+  {
+    itk::LabelHullMeshFilter & filter = *outcome.hulls[h];
+    section[h]["points"] = filter.GetOutput()->GetNumberOfPoints();
+    section[h]["triangles"] = filter.GetOutput()->GetNumberOfCells();
+    section[h]["other_parts"] = filter.GetNumberOfOtherParts();
+    section[h]["pinched_edges"] = filter.GetNumberOfPinchedEdges();
+    section[h]["pinched_points"] = filter.GetNumberOfPinchedPoints();
+    section[h]["handles"] = filter.GetNumberOfHandles();
+  }
+  return section;
+}
+
 } // namespace
 
 std::string
@@ -174,6 +202,7 @@ MakeReport(const Outcome & outcome)
   report["input"] = InputSection(outcome);
   report["output"] = outcome.settings.output;
   report["files"] = outcome.files;
+  report["hulls"] = HullSection(outcome);
   report["seconds"] = Number(outcome.seconds);
   report["parameters"] = ParameterSection(outcome.settings);
   // File names need not be UTF-8, JSON has to be.

@@ -20,6 +20,7 @@
 #include "console/StageClock.h"
 #include "console/Warnings.h"
 #include "options/FileNames.h"
+#include "run/Hulls.h"
 #include "run/Outcome.h"
 #include "run/Output.h"
 #include "run/Report.h"
@@ -140,6 +141,7 @@ Run(Settings settings)
   Outcome         outcome;
   clock.Run("reading", 0.0, [&] {
     outcome.input = ReadInput(settings);
+    CheckHullLabels(settings, outcome.input);
     ResolveLengths(settings, *outcome.input.labels);
     outcome.settings = settings;
     outcome.filter = MakeMeshFilter(settings, outcome.input);
@@ -149,6 +151,7 @@ Run(Settings settings)
   TakeMeshes(outcome);
   clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });
   clock.Run("writing", 1.0, [&] {
+    MakeHulls(outcome);
     WriteMeshes(outcome);
     WriteImages(outcome);
   });

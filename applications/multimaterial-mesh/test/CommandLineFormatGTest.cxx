@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// The formats of meshes, and the surfaces of single labels.
+// The formats of meshes, and the surfaces of one label and of several.
 #include "CommandLineTest.h"
 
 #include "itkGmshMeshIO.h"
@@ -26,6 +26,8 @@
 // Readers get their IO from the tests; ITK may not have generated the header that registers mesh IOs.
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 #include "itkMeshFileReader.h"
+
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cstdint>
@@ -305,4 +307,77 @@ TEST_F(CommandLineFormat, SurfacesPerLabelAreSTLUnlessToldOtherwise)
 {
   this->Mesh({ this->Path("out.vtu"), "--surface-per-label", this->Path("tissue") });
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu", "tissue2.stl", "tissue5.stl" }));
+}
+
+TEST_F(CommandLineFormat, HullsAreClosedAroundTheirLabels)
+{
+  this->Mesh({ "--hull",
+               this->Path("inner.vtu") + "=5",
+               "--hull",
+               this->Path("outer.vtu") + "=2,5",
+               this->Path("out.vtu"),
+               "--report",
+               this->Path("report.json") });
+  const auto tetrahedra = this->Read<Volume>("out.vtu", itk::VTUMeshIO::New());
+  const auto inner = this->Read<Surface>("inner.vtu", itk::VTUMeshIO::New());
+  const auto outer = this->Read<Surface>("outer.vtu", itk::VTUMeshIO::New());
+  EXPECT_EQ(OpenEdges(inner) + OpenEdges(outer), 0u);
+  const double core = VolumeOf(tetrahedra, 5);
+  const double all = core + VolumeOf(tetrahedra, 2);
+  EXPECT_NEAR(EnclosedVolume(inner), core, 1e-9 * core);
+  EXPECT_NEAR(EnclosedVolume(outer), all, 1e-9 * all);
+  const auto hulls = nlohmann::json::parse(this->Contents("report.json"))["hulls"];
+  ASSERT_EQ(hulls.size(), 2u);
+  EXPECT_EQ(hulls[1]["file"], this->Path("outer.vtu"));
+  EXPECT_EQ(hulls[1]["labels"], (std::vector<int>{ 2, 5 }));
+  EXPECT_EQ(hulls[1]["triangles"], outer->GetNumberOfCells());
+  EXPECT_EQ(hulls[1]["handles"], 0);
+}
+
+TEST_F(CommandLineFormat, HullsThatTouchAreAWarning)
+{
+  const auto result = Run({ this->WriteBalls(),
+                            this->Path("out.vtu"),
+                            "--quiet",
+                            "--hull",
+                            this->Path("a.stl") + "=2,5",
+                            "--hull",
+                            this->Path("b.stl") + "=2,77" });
+  EXPECT_EQ(result.exitCode, 0);
+  ASSERT_EQ(result.ErrorLines().size(), 2u) << result.error;
+  EXPECT_NE(result.error.find("no voxel has the label 77 that --hull names"), std::string::npos) << result.error;
+  EXPECT_NE(result.error.find("b.stl touch in "), std::string::npos) << result.error;
+  EXPECT_EQ(this->Contents("a.stl"), this->Contents("b.stl"));
+}
+
+TEST_F(CommandLineFormat, FreeSurferHasPointsInRAS)
+{
+  this->Mesh({ this->Path("surface.vtu"), "--surface-only", "--hull", this->Path("hull.surf") + "=2,5" });
+  this->Mesh({ this->Path("surface.vtu"), "--surface-only", "--hull", this->Path("hull.vtu") + "=2,5" });
+  const auto hull = this->Read<Surface>("hull.vtu", itk::VTUMeshIO::New());
+  const auto surf = this->Contents("hull.surf");
+  const auto text = surf.find("\n\n");
+  EXPECT_EQ(surf.rfind("\xFF\xFF\xFE", 0), 0u);
+  ASSERT_NE(text, std::string::npos);
+  const auto numberAt = [&](std::size_t index) {
+    std::uint32_t number = 0;
+    for (std::size_t byte = 0; byte < 4; ++byte)
+    {
+      number = number << 8 | static_cast<unsigned char>(surf.at(text + 2 + 4 * index + byte));
+    }
+    return number;
+  };
+  const auto points = hull->GetNumberOfPoints();
+  const auto cells = hull->GetNumberOfCells();
+  ASSERT_EQ(surf.size(), text + 2 + 4 * (2 + 3 * points + 3 * cells));
+  EXPECT_EQ(numberAt(0), points);
+  EXPECT_EQ(numberAt(1), cells);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::uint32_t bits = numberAt(2 + axis);
+    float               coordinate = 0.0f;
+    std::memcpy(&coordinate, &bits, sizeof coordinate);
+    EXPECT_EQ(coordinate, float((axis < 2 ? -1.0 : 1.0) * hull->GetPoint(0)[axis]));
+    EXPECT_EQ(numberAt(2 + 3 * points + axis), CornersOf(hull.GetPointer(), 0)[axis]);
+  }
 }

@@ -89,6 +89,21 @@ TEST_F(CommandLineUsage, OutputOfAnotherFormat)
   this->ExpectUsageError({ "--save-sizing", this->Path("size.png") }, "images are written as .nrrd");
 }
 
+TEST_F(CommandLineUsage, HullsThatCannotBe)
+{
+  for (const char * const text : { "hull.stl", "=2", "hull.stl=none" })
+  {
+    this->ExpectUsageError({ "--hull", text }, std::string("--hull is '") + text + "'; it has to be FILE=L[,L...]");
+  }
+  this->ExpectUsageError({ "--hull", "hull.stl=2,x" }, "it has to be integer labels");
+  this->ExpectUsageError({ "--hull", this->Path("hull.ply") + "=2" }, "surfaces are written as .vtu");
+  this->ExpectUsageError({ "--hull", this->Path("hull.stl") + "=0,2" }, "has the label 0, which is exterior");
+  const auto labels = this->WriteBalls();
+  this->ExpectError({ labels, this->Path("out.vtu"), "--hull", this->Path("hull.stl") + "=7", "--quiet" },
+                    1,
+                    "no voxel has a label of --hull");
+}
+
 TEST_F(CommandLineUsage, FormatThatThereIsNot)
 {
   this->ExpectUsageError({ "--msh-format", "3" }, "--msh-format is '3'; it has to be one of 4.1, 4.1-ascii, 2.2");
