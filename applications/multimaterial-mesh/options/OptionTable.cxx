@@ -114,7 +114,8 @@ MakeTable()
     { "surface-only", PARAMETER(surfaceOnly, SurfaceOnly), Kind::Flag, "", "", AnyValue, "",
       "Leave out the interior; OUTPUT is the surface." },
     { "msh-format", &S::mshFormat, Kind::Choice, "F", "", AnyValue, "",
-      "Of .msh files: version 4.1 or 2.2, binary or text, or as SimNIBS wants it (2.2, RAS, its numbers of surfaces).",
+      "Of .msh files: version 4.1 or 2.2 (for GetDP), binary or text (2.2-ascii for DUNE and OpenFOAM), or as SimNIBS "
+      "wants it (2.2, RAS, its numbers of surfaces).",
       itk::LabelMeshFileWriter::GetMshFormats() },
     { "ras", &S::ras, Kind::Flag, "", "", AnyValue, "",
       "Points in RAS instead of LPS; in .vtu they are always in LPS, in .surf always in RAS." } } },
