@@ -29,36 +29,16 @@ import pathlib
 import numpy as np
 import pyvista
 from forward import find_program, mesh_images, skin_of, solve
-from sphere_model import surface_potential
+from sphere_model import compare, distances, surface_potential, write_image
 
 RADII = np.array([78.0, 80.0, 86.0, 92.0])  # mm
 CONDUCTIVITIES = np.array([0.33, 1.79, 0.01, 0.43])  # S/m
 MOMENT = 1e-8  # A m
 
 
-def write_image(name, values, spacing):
-    """A cube around 0, as NRRD."""
-    size = len(values)
-    origin = -0.5 * (size - 1) * spacing
-    header = (
-        f"NRRD0004\ntype: {'uchar' if values.dtype == np.uint8 else 'float'}\nendian: little\n"
-        f"dimension: 3\nsizes: {size} {size} {size}\nspace: left-posterior-superior\n"
-        f"space directions: ({spacing},0,0) (0,{spacing},0) (0,0,{spacing})\n"
-        f"space origin: ({origin},{origin},{origin})\nencoding: raw\n\n"
-    )
-    pathlib.Path(name).write_bytes(header.encode() + values.tobytes())
-
-
-def distances(spacing):
-    """How far the voxels are from 0."""
-    size = 2 * int(np.ceil(RADII[-1] / spacing)) + 4
-    place = (np.arange(size) - 0.5 * (size - 1)) * spacing
-    return np.sqrt(place[:, None, None] ** 2 + place[:, None] ** 2 + place**2)
-
-
 def write_labels(folder, spacing):
     """Labels 1 to 4 from the inside out; 0 is outside. Returns the arguments of multimaterial-mesh."""
-    layers = np.searchsorted(RADII, distances(spacing))
+    layers = np.searchsorted(RADII, distances(RADII[-1], spacing))
     labels = np.where(layers < len(RADII), layers + 1, 0).astype(np.uint8)
     write_image(folder / "spheres.nrrd", labels, spacing)
     return [folder / "spheres.nrrd"]
@@ -66,22 +46,11 @@ def write_labels(folder, spacing):
 
 def write_indicators(folder, spacing):
     """An image for each layer: the distance to its nearer sphere, positive inside."""
-    distance = distances(spacing)
+    distance = distances(RADII[-1], spacing)
     files = [folder / f"sphere-{layer}.nrrd" for layer in range(1, len(RADII) + 1)]
     for file, inner, outer in zip(files, [-np.inf, *RADII], RADII):
         write_image(file, np.minimum(distance - inner, outer - distance).astype(np.float32), spacing)
     return ["--indicators", *files]
-
-
-def compare(values, expected):
-    """The relative difference, and its parts: in topography (RDM, at most 2) and in magnitude (MAG, 1 is right)."""
-    values, expected = values - values.mean(), expected - expected.mean()
-    norm = np.linalg.norm
-    return (
-        norm(values - expected) / norm(expected),
-        norm(values / norm(values) - expected / norm(expected)),
-        norm(values) / norm(expected),
-    )
 
 
 def draw(skin, position, picture):

@@ -20,6 +20,8 @@ The series is that of Zhang, "A fast method to compute surface potentials genera
 anisotropic spheres", Phys. Med. Biol. 40 (1995), for isotropic layers.
 """
 
+import pathlib
+
 import numpy as np
 
 
@@ -63,3 +65,34 @@ def surface_potential(points, position, moment, radii, conductivities, order=120
         before, legendre = legendre, ((2 * n + 1) * cosine * legendre - n * before) / (n + 1)
         slope_before, slope = slope, slope_before + (2 * n + 1) * before
     return potential / (4 * np.pi * conductivities[0] * radius**2)
+
+
+def compare(values, expected):
+    """The relative difference, and its parts: in topography (RDM, at most 2) and in magnitude (MAG, 1 is right)."""
+    values, expected = values - values.mean(), expected - expected.mean()
+    norm = np.linalg.norm
+    return (
+        norm(values - expected) / norm(expected),
+        norm(values / norm(values) - expected / norm(expected)),
+        norm(values) / norm(expected),
+    )
+
+
+def distances(radius, spacing):
+    """How far voxels are from 0, in a cube around a sphere."""
+    size = 2 * int(np.ceil(radius / spacing)) + 4
+    place = (np.arange(size) - 0.5 * (size - 1)) * spacing
+    return np.sqrt(place[:, None, None] ** 2 + place[:, None] ** 2 + place**2)
+
+
+def write_image(name, values, spacing):
+    """A cube around 0, as NRRD."""
+    size = len(values)
+    origin = -0.5 * (size - 1) * spacing
+    header = (
+        f"NRRD0004\ntype: {'uchar' if values.dtype == np.uint8 else 'float'}\nendian: little\n"
+        f"dimension: 3\nsizes: {size} {size} {size}\nspace: left-posterior-superior\n"
+        f"space directions: ({spacing},0,0) (0,{spacing},0) (0,0,{spacing})\n"
+        f"space origin: ({origin},{origin},{origin})\nencoding: raw\n\n"
+    )
+    pathlib.Path(name).write_bytes(header.encode() + values.tobytes())

@@ -16,7 +16,7 @@
 #
 """Runs an example on the head phantom at 4 mm, or on spheres at 4 mm, and checks what it says and leaves.
 
-usage: run-example.py {surfaces,head,spheres,cohort} FOLDER_OF_PROGRAMS
+usage: run-example.py {surfaces,shells,head,spheres,cohort} FOLDER_OF_PROGRAMS
 """
 
 import csv
@@ -55,6 +55,17 @@ def surfaces():
     assert [label for label, _ in rows] == list("123456"), rows
     assert 3300 < sum(float(volume) for _, volume in rows) < 3900, rows
     check_pictures("out/tissues.png")
+
+
+def shells():
+    """MNE-Python takes the hulls, and the potential by its boundary elements is that of the series."""
+    spheres = ["--radii", "46", "55", "64", "--spacing", "4", "--size", "8"]
+    text = run(sys.executable, examples / "bem/shells.py", *spheres)
+    rows = re.findall(r"^ +\d+ +(?:radial|tangential) +\S+% +(\S+) +(\S+)$", text, re.M)
+    assert len(rows) == 6, rows
+    for topography, magnitude in rows:
+        assert float(topography) < 0.08 and 0.85 < float(magnitude) < 1.15, rows
+    check_pictures("out/shells.png")
 
 
 def head():
@@ -96,7 +107,7 @@ def main():
     os.environ["PATH"] = programs + os.pathsep + os.environ["PATH"]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        {"surfaces": surfaces, "head": head, "spheres": spheres, "cohort": cohort}[example]()
+        {"surfaces": surfaces, "shells": shells, "head": head, "spheres": spheres, "cohort": cohort}[example]()
         os.chdir("/")
 
 
