@@ -202,7 +202,10 @@ MakeReport(const Outcome & outcome)
   report["input"] = InputSection(outcome);
   report["output"] = outcome.settings.output;
   report["files"] = outcome.files;
-  report["hulls"] = HullSection(outcome);
+  if (!outcome.hulls.empty())
+  {
+    report["hulls"] = HullSection(outcome);
+  }
   report["seconds"] = Number(outcome.seconds);
   report["parameters"] = ParameterSection(outcome.settings);
   // File names need not be UTF-8, JSON has to be.
