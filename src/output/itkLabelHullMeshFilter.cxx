@@ -129,10 +129,11 @@ VolumeWithin(const LabelInterfaceMesh & mesh, const Triangles & part)
 bool
 IsWithin(const LabelInterfaceMesh & mesh, const Triangles & part, const Triangles & other)
 {
-  Vector center(0.0);
-  for (const Vector & corner : CornersFrom(mesh, part.front(), Vector(0.0)))
+  Vector center;
+  center.Fill(0.0);
+  for (const IdentifierType corner : part.front().corners)
   {
-    center += corner / 3.0;
+    center += mesh.GetPoint(corner).GetVectorFromOrigin() / 3.0;
   }
   double halfAngle = 0.0;
   for (const auto & triangle : other)
