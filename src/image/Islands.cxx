@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "image/Islands.h"
 
+#include "image/Threads.h"
+
 #include <algorithm>
 #include <map>
 
@@ -120,6 +122,7 @@ MergeIslands(const Index &                       size,
   {
     isIsland[entry.second] = 0;
   }
+  KeepThreads(size, numbers, components, minimumSize, isIsland);
 
   const auto votes = CollectVotes(size, numbers, components, isIsland);
   for (auto first = votes.begin(); first != votes.end();)

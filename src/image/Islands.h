@@ -35,9 +35,9 @@ struct LabelComponent
 /** \brief Decides which label each component gets when small ones are merged into their neighbours.
  *
  * `numbers` holds a component's number per voxel of an image of that size; numbers without voxels are allowed. A
- * component with fewer voxels than `minimumSize` gets the label that most of its voxels' faces touch, the lowest of
- * equals. The largest component of a label keeps it, of equals the one with the first voxel, and so does a component
- * that touches no other label. */
+ * component with fewer voxels than `minimumSize`, unless it is a part of a thread, see KeepThreads(), gets the label
+ * that most of its voxels' faces touch, the lowest of equals. The largest component of a label keeps it, of equals the
+ * one with the first voxel, and so does a component that touches no other label. */
 std::vector<int>
 MergeIslands(const Index &                       size,
              const std::uint32_t *               numbers,

@@ -112,6 +112,51 @@ TEST(MergeLabelIslandsImageFilter, ConnectsVoxelsByTheirFacesOnly)
   EXPECT_EQ(At(filter, 7, 2, 1), 1);
 }
 
+namespace
+{
+/** Voxels from (1, 1, 1) on that touch in corners only. */
+void
+DrawDiagonal(ImageType * image, int length)
+{
+  for (int n = 1; n <= length; ++n)
+  {
+    image->SetPixel({ { n, n, n } }, 2);
+  }
+}
+
+std::size_t
+CountMerged(FilterType * filter)
+{
+  filter->Update();
+  const auto & records = filter->GetRecords();
+  const auto   record = records.find(2);
+  return record == records.end() ? 0 : record->second.voxels;
+}
+} // namespace
+
+TEST(MergeLabelIslandsImageFilter, KeepsThreadsOfVoxelsThatTouchInCorners)
+{
+  const auto image = MakeCanvas(12);
+  DrawDiagonal(image, 8);
+  EXPECT_EQ(CountMerged(MakeFilter(image)), 0u);
+}
+
+TEST(MergeLabelIslandsImageFilter, MergesShortThreads)
+{
+  const auto image = MakeCanvas(12);
+  DrawDiagonal(image, 7);
+  EXPECT_EQ(CountMerged(MakeFilter(image)), 6u);
+}
+
+TEST(MergeLabelIslandsImageFilter, KeepsWhatLinksLargerPartsAcrossEdges)
+{
+  const auto image = MakeCanvas(24);
+  DrawRow(image, 1, 1, 1, 9, 2);
+  DrawRow(image, 10, 2, 1, 2, 2);
+  DrawRow(image, 12, 1, 1, 9, 2);
+  EXPECT_EQ(CountMerged(MakeFilter(image)), 0u);
+}
+
 TEST(MergeLabelIslandsImageFilter, CountsTheFacesOfAllVoxelsOfAComponent)
 {
   // the island's first voxel has more faces to label 1, the whole of it to label 3
