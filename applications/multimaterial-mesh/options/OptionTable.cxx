@@ -139,7 +139,8 @@ MakeTable()
       "How fast the edge length may grow with distance." },
     { "min-size", PARAMETER(minSize, MinimumSize), Kind::Real, "H", "mm", Positive, "the smallest spacing",
       "Smallest edge length to ask for." },
-    { "max-size", PARAMETER(maxSize, MaximumSize), Kind::Real, "H", "mm", Positive, "no limit",
+    { "max-size", PARAMETER(maxSize, MaximumSize), Kind::Real, "H", "mm", Positive,
+      "a 25th part of the cube root of what is meshed, at least 3 times the smallest spacing",
       "Largest edge length to ask for." },
     { "label-size", PARAMETER(labelSizes, LabelSizes), Kind::LabelSizes, "L:KEY=X[:...][,...]", "", AnyValue, "",
       "Sizes by label: 'factor' on the edge length at its interfaces, 'min' and 'max' of it in mm instead of the "
@@ -165,6 +166,8 @@ MakeTable()
       "Write parameters, time and memory per stage, counts, quality and topology per label." } } },
 
     { "Advanced", "How the program runs", {
+    { "expect", &S::expectOnly, Kind::Flag, "", "", AnyValue, "",
+      "Only print what is to be expected, points, tetrahedra and memory, and write nothing.", {}, Audience::CommandLine },
     { "max-tetrahedra", PARAMETER(maxTetrahedra, MaximumNumberOfTetrahedra), Kind::Integer, "N", "", AtLeastOne,
       "no limit", "Do not start on meshes that are expected to have more tetrahedra." },
     { "max-memory", PARAMETER(maxMemory, MaximumMemory), Kind::Real, "GB", "GB", Positive, "the machine's memory",

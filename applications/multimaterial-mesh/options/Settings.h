@@ -87,6 +87,7 @@ struct Settings
   std::optional<double> roiMaxSize;
   std::string           sizingFile;
 
+  bool                         expectOnly{ false };
   std::optional<std::uint64_t> maxTetrahedra;
   std::optional<double>        maxMemory;
 

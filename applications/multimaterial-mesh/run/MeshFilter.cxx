@@ -26,6 +26,7 @@
 #include "itksys/SystemInformation.hxx"
 
 #include <algorithm>
+#include <limits>
 
 namespace cli
 {
@@ -95,7 +96,12 @@ Configure(MeshFilter * filter, const Settings & settings)
       option.target.set(*filter, settings);
     }
   });
-  if (const double memory = MemoryOfMachine(); !settings.maxMemory && memory > 0.0)
+  if (settings.expectOnly)
+  {
+    filter->SetMaximumNumberOfTetrahedra(std::numeric_limits<itk::SizeValueType>::max());
+    filter->SetMaximumMemory(std::numeric_limits<double>::infinity());
+  }
+  else if (const double memory = MemoryOfMachine(); !settings.maxMemory && memory > 0.0)
   {
     filter->SetMaximumMemory(memory);
   }
@@ -145,7 +151,7 @@ RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & 
       display.Note("expect about " + mmm::Describe(estimate));
     }
     display.Show(filter.GetCurrentStage(), filter.GetStageProgress(), filter.GetProgress());
-    if (GetInterruption() != 0)
+    if (GetInterruption() != 0 || (isEstimateShown && settings.expectOnly))
     {
       filter.AbortGenerateDataOn();
     }
@@ -156,7 +162,10 @@ RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & 
   }
   catch (const itk::ProcessAborted &)
   {
-    throw;
+    if (!settings.expectOnly || GetInterruption() != 0)
+    {
+      throw;
+    }
   }
   catch (const std::exception &)
   {

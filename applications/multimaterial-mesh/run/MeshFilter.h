@@ -31,8 +31,8 @@ MakeMeshFilter(const Settings & settings, const Input & input);
 
 /** \brief Runs the filter, shows its progress and stops it when the user interrupts the program.
  *
- * Throws what the filter throws. If it fails after the surface was made, that is written to a file beside OUTPUT, and
- * the exception is an Error that says so. */
+ * With `expectOnly` it stops once the mesh's expected size is known. Throws what the filter throws. If it fails after
+ * the surface was made, that is written to a file beside OUTPUT, and the exception is an Error that says so. */
 void
 RunMeshFilter(MeshFilter & filter, const Settings & settings, ProgressDisplay & display);
 } // namespace cli

@@ -131,12 +131,15 @@ MeasureQuality(Outcome & outcome)
 void
 Run(Settings settings)
 {
-  CheckOutputs(settings);
+  if (!settings.expectOnly)
+  {
+    CheckOutputs(settings);
+  }
   SetThreads(settings.threads);
 
-  ProgressDisplay display(settings.quiet            ? ProgressDisplay::Style::None
-                          : settings.slicerProgress ? ProgressDisplay::Style::Slicer
-                                                    : ProgressDisplay::Style::Text);
+  ProgressDisplay display(settings.quiet || settings.expectOnly ? ProgressDisplay::Style::None
+                          : settings.slicerProgress             ? ProgressDisplay::Style::Slicer
+                                                                : ProgressDisplay::Style::Text);
   StageClock      clock(display);
   Outcome         outcome;
   clock.Run("reading", 0.0, [&] {
@@ -147,6 +150,11 @@ Run(Settings settings)
     outcome.filter = MakeMeshFilter(settings, outcome.input);
   });
   RunMeshFilter(*outcome.filter, settings, display);
+  if (settings.expectOnly)
+  {
+    std::cout << "expect about " << mmm::Describe(outcome.filter->GetReport().estimate) << '\n';
+    return;
+  }
   clock.Append(outcome.filter->GetStageRecords());
   TakeMeshes(outcome);
   clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });

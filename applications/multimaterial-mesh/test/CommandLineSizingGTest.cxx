@@ -23,6 +23,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -111,6 +112,15 @@ TEST_F(CommandLineSizing, ExpectationIsPrintedBeforeTheLongStages)
   ASSERT_NE(expectation, std::string::npos) << result.output;
   EXPECT_LT(result.output.find("\nsizing ..."), expectation);
   EXPECT_LT(expectation, result.output.find("\nsurface ..."));
+}
+
+TEST_F(CommandLineSizing, ExpectationAloneIsPrintedWithoutAMesh)
+{
+  const auto result = Run({ this->WriteBalls(), this->Path("none.vtu"), "--expect", "--max-tetrahedra", "1" });
+  EXPECT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_EQ(result.output.find("expect about "), 0u) << result.output;
+  EXPECT_EQ(result.output.find('\n'), result.output.size() - 1);
+  EXPECT_FALSE(std::filesystem::exists(this->Path("none.vtu")));
 }
 
 TEST_F(CommandLineSizing, MeshesBeyondALimitAreRefused)
