@@ -87,8 +87,10 @@ struct SizingOptions
   /** The smallest edge length to ask for, positive. Automatic is the smallest voxel spacing, or maximumSize where that
    * is smaller. */
   double minimumSize{ Automatic };
-  /** The largest edge length to ask for, positive and not below minimumSize. */
-  double maximumSize{ std::numeric_limits<double>::infinity() };
+  /** The largest edge length to ask for, positive and not below minimumSize; infinity is no limit. Automatic is a
+   * 25th part of the cube root of what is meshed, but at least minimumSize and three times the smallest voxel spacing;
+   * where a sizing image replaces sizes, no limit. */
+  double maximumSize{ Automatic };
   /** The volume that no tetrahedron is to exceed, in mm^3, positive. Edge lengths are kept so small that none does;
    * what other bounds say is no excuse. */
   double maximumVolume{ std::numeric_limits<double>::infinity() };

@@ -75,7 +75,9 @@ public:
   itkSetMacro(MinimumSize, double);
   itkGetConstMacro(MinimumSize, double);
 
-  /** The largest edge length to ask for, in mm, positive and not below MinimumSize. Default: infinity. */
+  /** The largest edge length to ask for, in mm, positive and not below MinimumSize; infinity is no limit. Default:
+   * Automatic, a 25th part of the cube root of what is meshed, but at least MinimumSize and three times the smallest
+   * voxel spacing; where a sizing image replaces sizes, no limit. */
   itkSetMacro(MaximumSize, double);
   itkGetConstMacro(MaximumSize, double);
 
@@ -138,7 +140,7 @@ private:
   double         m_ChordTolerance{ Automatic };
   double         m_GradientLimit{ 0.5 };
   double         m_MinimumSize{ Automatic };
-  double         m_MaximumSize{ std::numeric_limits<double>::infinity() };
+  double         m_MaximumSize{ Automatic };
   double         m_MaximumVolume{ std::numeric_limits<double>::infinity() };
   LabelSizesType m_LabelSizes;
   bool           m_SizingImageReplaces{ false };

@@ -26,7 +26,7 @@ namespace mmm
 namespace
 {
 /** No tetrahedron of the mesh is larger than this part of the cube of the size that was asked for. */
-constexpr double LargestVolume = 0.6;
+constexpr double LargestVolume = 0.45;
 
 std::string
 DescribeRuleErrors(const SizingOptions & options, bool hasRegion)
@@ -90,7 +90,7 @@ DescribeError(const SizingInputs & sizing)
                  { "chord tolerance", options.chordTolerance, " mm", true, false },
                  { "gradient limit", options.gradientLimit, "", false, false },
                  { "smallest size", options.minimumSize, " mm", true, false },
-                 { "largest size", options.maximumSize, " mm", false, true },
+                 { "largest size", options.maximumSize, " mm", true, true },
                  { "largest volume", options.maximumVolume, " mm^3", false, true } };
 
   std::ostringstream words;
@@ -150,7 +150,7 @@ ToGridUnit(const SizingOptions & options, const GridGeometry & geometry)
   {
     parameters.chordTolerance = geometry.ToGridUnit(options.chordTolerance);
   }
-  if (std::isfinite(options.maximumSize))
+  if (!std::isinf(options.maximumSize))
   {
     parameters.maximumSize = geometry.ToGridUnit(options.maximumSize);
   }

@@ -55,6 +55,16 @@ LargestCurvature(const IndicatorSet & indicators, const InterfaceSample & sample
   return std::abs(mean) + std::hypot(difference, skew);
 }
 
+double
+DefaultMaximumSize(const IndicatorSet & indicators, int exterior)
+{
+  const auto & materials = indicators.NodeMaterials();
+  const auto   isMeshed = [=](Material m) { return int(m) != exterior; };
+  const double voxels = double(std::count_if(materials.begin(), materials.end(), isMeshed));
+  const double volume = voxels * indicators.GetGrid().spacing.prod();
+  return std::max(DefaultMaximumParameters::LeastVoxels, std::cbrt(volume) / DefaultMaximumParameters::EdgesAcross);
+}
+
 std::vector<float>
 ComputeSizing(const IndicatorSet &     indicators,
               int                      exterior,
@@ -70,7 +80,14 @@ ComputeSizing(const IndicatorSet &     indicators,
   const auto featureSizes = ComputeLocalFeatureSizes(grid, samples, axis);
   monitor.Report(0.7);
 
-  const SizeRules     rules(indicators, parameters, control);
+  SizingParameters bounds = parameters;
+  if (std::isnan(bounds.maximumSize))
+  {
+    // who gives an image of sizes means them
+    bounds.maximumSize = control.imageReplaces ? SizingParameters().maximumSize
+                                               : std::max(DefaultMaximumSize(indicators, exterior), bounds.minimumSize);
+  }
+  const SizeRules     rules(indicators, bounds, control);
   std::vector<Source> sources(samples.size());
   ParallelFor(samples.size(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s)

@@ -26,6 +26,11 @@
 
 namespace mmm
 {
+/** \brief The largest edge length where none is given: a part of the cube root of the volume of what is meshed, but
+ * several voxels at least. */
+MultiMaterialMeshing_EXPORT double
+DefaultMaximumSize(const IndicatorSet & indicators, int exterior);
+
 /** \brief The sizing field h: the edge length that is asked for, at every grid node.
  *
  * At the interfaces h0 = min(epsilon * local feature size, sqrt(8 * chordTolerance / largest curvature)), within

@@ -33,11 +33,21 @@ struct SizingParameters
   double chordTolerance{ 0.1 };
   /** The largest gradient of the sizing field, above 0. */
   double gradientLimit{ 0.5 };
-  /** Bounds of all sizes. */
+  /** Bounds of all sizes. A maximum that is not a number stands for DefaultMaximumSize(). */
   double minimumSize{ 1.0 };
   double maximumSize{ 1e30 };
   /** What no size exceeds, whatever else is asked for. */
   double sizeLimit{ 1e30 };
+};
+
+/** \brief Numbers of DefaultMaximumSize(). */
+struct DefaultMaximumParameters
+{
+  /** Edges across what is meshed, 6 mm in an adult's head: with fewer, potentials deep inside are off by more than the
+   * interfaces are to blame for. */
+  static constexpr double EdgesAcross = 25.0;
+  /** Thick parts do not get nearly as many elements as voxels. */
+  static constexpr double LeastVoxels = 3.0;
 };
 
 /** \brief Numbers of ComputeMedialAxis(). */

@@ -112,6 +112,54 @@ TEST(Sizing, ChordToleranceBoundsTheSizeOnABall)
   EXPECT_GT(sizes[scene.image.grid.Offset(15, 15, 25)], 0.5 * expected);
 }
 
+namespace
+{
+/** A slab in the middle of voxels that are long along two axes, so that the image is large and cheap. */
+Scene
+MakeLargeSlab()
+{
+  return Scene(MakeMaterials({ { 60, 24, 24 } }, Vector(1.0, 10.0, 10.0), 2, [](const Vector & x) {
+    return std::abs(x[0] - 30.0) < 25.0 ? 1 : 0;
+  }));
+}
+
+std::vector<float>
+SizesWithMaximum(const Scene & scene, double minimum, double maximum)
+{
+  mmm::SizingParameters parameters;
+  parameters.minimumSize = minimum;
+  parameters.maximumSize = maximum;
+  mmm::Monitor monitor;
+  return mmm::ComputeSizing(*scene.indicators, 0, parameters, {}, monitor);
+}
+
+constexpr double DefaultMaximum = std::numeric_limits<double>::quiet_NaN();
+} // namespace
+
+TEST(Sizing, DefaultMaximumIsA25thPartOfTheCubeRootOfWhatIsMeshed)
+{
+  const Scene  scene = MakeLargeSlab();
+  const double meshed = 49.0 * 240.0 * 240.0;
+  EXPECT_NEAR(mmm::DefaultMaximumSize(*scene.indicators, 0), std::cbrt(meshed) / 25.0, 1e-6);
+  const double all = 60.0 * 240.0 * 240.0;
+  EXPECT_NEAR(mmm::DefaultMaximumSize(*scene.indicators, -1), std::cbrt(all) / 25.0, 1e-6);
+
+  const auto sizes = SizesWithMaximum(scene, 1.0, DefaultMaximum);
+  EXPECT_FLOAT_EQ(*std::max_element(sizes.begin(), sizes.end()), float(std::cbrt(meshed) / 25.0));
+}
+
+TEST(Sizing, DefaultMaximumOfSmallImagesIsThreeVoxels)
+{
+  const Scene scene(MakeBallMaterials(21, Vector(10.1, 9.8, 10.3), 8.0));
+  EXPECT_EQ(mmm::DefaultMaximumSize(*scene.indicators, 0), 3.0);
+}
+
+TEST(Sizing, DefaultMaximumYieldsToTheMinimum)
+{
+  const auto sizes = SizesWithMaximum(MakeLargeSlab(), 9.0, DefaultMaximum);
+  EXPECT_FLOAT_EQ(*std::max_element(sizes.begin(), sizes.end()), 9.0f);
+}
+
 TEST(Sizing, GradientIsLimited)
 {
   const Scene           scene(MakeMaterials({ { 30, 30, 30 } }, Vector::Ones(), 3, [](const Vector & x) {
