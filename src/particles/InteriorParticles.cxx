@@ -61,10 +61,8 @@ CollectCandidates(const IndicatorSet & indicators, const SizingField & sizing, i
       }
       const Vector node = grid.Position(grid.IndexAt(n));
       const double h = sizing(node);
-      // where that is more than one a voxel, one a cube
       const double cubes = grid.spacing.prod() / (h * h * h);
-      const double expected =
-        std::min(std::max(std::min(Parameters::CandidatesPerCube * cubes, 1.0), cubes), Parameters::MostCandidates);
+      const double expected = std::min(Parameters::CandidatesPerCube * cubes, Parameters::MostCandidates);
       for (int c = 0; c < expected; ++c)
       {
         const std::uint64_t draw = Hash(seed ^ Hash(n) ^ (std::uint64_t(c) << 32));

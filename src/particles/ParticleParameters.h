@@ -39,11 +39,12 @@ struct SeedingParameters
 /** Numbers of SeedInteriorParticles(). */
 struct InteriorSeedingParameters
 {
-  /** The distance that particles keep, between two of the interior, and to one on an interface. */
-  static constexpr double ThinningDistance = 0.80;
-  static constexpr double InterfaceDistance = 0.65;
+  /** The distance that particles keep, between two of the interior, and to one on an interface. Edges are h long on
+   * average then: measured, docs/sizing.md. */
+  static constexpr double ThinningDistance = 0.68;
+  static constexpr double InterfaceDistance = 0.62;
   /** About so many candidates per cube of edge h are there to choose from; */
-  static constexpr double CandidatesPerCube = 8.0;
+  static constexpr double CandidatesPerCube = 10.0;
   /** but no more than this in a voxel: h below a quarter of a voxel is not followed in the interior. */
   static constexpr double MostCandidates = 512.0;
 };

@@ -39,20 +39,22 @@ constexpr int    SizeBins = 16 * BinsPerOctave;
 constexpr int    ThicknessesPerOctave = 4;
 constexpr int    ThicknessBins = 3 * ThicknessesPerOctave + 1;
 
-/** Thin parts are sampled at this part of their thickness, whatever the sizes. Those that the sizes are too coarse for
- * are lost at first and found again with more points: they are coarse from this ratio on, and then sampled at that one.
- */
+/** Thin parts are sampled at this part of their thickness, whatever the sizes. Sizes that are coarser than this part of
+ * it lose them at first; their interfaces are found again with triangles of about the thickness. */
 constexpr double SizePerThickness = 0.8;
 constexpr double CoarseSize = 1.5;
-constexpr double SizePerLostThickness = 0.63;
+
+/** This part of an edge length, on both sides together, belongs to the interfaces: tetrahedra there are fewer, because
+ * they share their corners with two materials. */
+constexpr double EdgesAtRims = 0.5;
 
 /** The area of voxel faces between materials, by that of the smooth interface: the average over all directions. */
 constexpr double FaceArea = 1.5;
 
-constexpr double TrianglesPerArea = 2.0;
-constexpr double TetrahedraPerVolume = 5.25;
-constexpr double PointsPerTetrahedron = 0.17;
-constexpr double PointsPerTriangle = 0.05;
+constexpr double TrianglesPerArea = 2.3;
+constexpr double TetrahedraPerVolume = 8.9;
+constexpr double PointsPerTetrahedron = 0.166;
+constexpr double PointsPerTriangle = 0.13;
 constexpr double BytesPerTetrahedron = 680.0;
 constexpr double BytesPerTriangle = 2400.0; // where only the surface is wanted
 constexpr double Gigabyte = 1024.0 * 1024.0 * 1024.0;
@@ -237,9 +239,9 @@ MeshEstimator::Estimate(double smallestSize) const
       const double thickness = t + 1 < ThicknessBins ? std::pow(2.0, double(t) / ThicknessesPerOctave) : 1e30;
       const bool   isLost = wanted > CoarseSize * thickness;
       const double onInterface = isLost ? thickness : wanted;
-      const double inside = std::min(wanted, (isLost ? SizePerLostThickness : SizePerThickness) * thickness);
+      const double inside = std::min(wanted, SizePerThickness * thickness);
       area += bin.area / std::pow(onInterface, 2);
-      volume += bin.volume / std::pow(inside, 3);
+      volume += bin.volume / std::pow(inside, 3) * (1.0 - EdgesAtRims * inside / thickness);
     }
   }
   MeshEstimate estimate;

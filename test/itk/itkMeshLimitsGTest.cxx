@@ -21,7 +21,9 @@
 #include "support/TestMeshes.h"
 
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 
 namespace
 {
@@ -82,6 +84,38 @@ TEST(MeshLimits, ExpectationIsNearTheMesh)
     EXPECT_NEAR(estimate.points, points, 0.4 * points) << size;
     EXPECT_NEAR(estimate.triangles, triangles, 0.3 * triangles) << size;
   }
+}
+
+TEST(MeshLimits, EdgesAreOnAverageAsLongAsTheMaximum)
+{
+  constexpr double size = 2.0;
+  const auto       filter = MakeFilter(MakeScaledHalves(1.0));
+  filter->SetMinimumSize(size);
+  filter->SetMaximumSize(size);
+  filter->Update();
+  const auto                                    points = mmmtest::PointsOf(filter->GetOutput());
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto & c : mmmtest::CellsOf<4>(filter->GetOutput()))
+  {
+    for (int a = 0; a < 4; ++a)
+    {
+      for (int b = 0; b < a; ++b)
+      {
+        edges.insert(std::minmax<std::size_t>(c[a], c[b]));
+      }
+    }
+  }
+  double      sum = 0.0;
+  std::size_t tooLong = 0;
+  for (const auto & edge : edges)
+  {
+    const double length = (points[edge.first] - points[edge.second]).norm();
+    sum += length;
+    tooLong += length > 1.4 * size;
+  }
+  const auto count = static_cast<double>(edges.size());
+  EXPECT_NEAR(sum / count, size, 0.08 * size);
+  EXPECT_LT(static_cast<double>(tooLong), 0.05 * count);
 }
 
 TEST(MeshLimits, ExpectationIsKnownToObserversBeforeTheLongStages)
