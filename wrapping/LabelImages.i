@@ -1,12 +1,33 @@
 // Filters of label images take images of any scalar type whose values are whole numbers, and say what is wrong with
 // others. ITK's own way is to list the types that it knows.
 %pythoncode %{
+def _as_labels(values, start=(0, 0, 0)):
+    """The array as one of C's int, in which what is off a whole number by rounding is rounded, as in files. Errors tell
+    the voxel, of which the first one has the index start."""
+    import numpy as np
+
+    limits = np.iinfo(np.intc)
+    tolerance = 1e-3
+    labels = values if values.dtype.kind in "iu" else np.rint(values)
+    # written so that a value that is not a number fails
+    with np.errstate(invalid="ignore"):
+        is_label = (labels >= limits.min) & (labels <= limits.max) & (abs(values - labels) <= tolerance)
+    if not is_label.all():
+        place = np.unravel_index(np.argmin(is_label), values.shape)
+        value = values[place]
+        voxel = ", ".join(str(int(start[n] + index)) for n, index in enumerate(reversed(place)))
+        if np.isfinite(value) and np.rint(value) == value:
+            reason = f"labels have to be from {limits.min} to {limits.max}."
+        else:
+            reason = "a label image has whole numbers. Is this an intensity or probability image?"
+        raise ValueError(f"Voxel ({voxel}) has the value {value}; {reason}")
+    return labels.astype(np.intc)
+
 def _as_label_image(source):
     """The image, or filter, or an image of itk.SI with the same values if filters are not wrapped for its pixels."""
     import os
 
     import itk
-    import numpy as np
 
     image = itk.output(source)
     if not isinstance(image, (itk.Image, itk.VectorImage)):
@@ -24,22 +45,9 @@ def _as_label_image(source):
         return source
 
     image.Update()
-    values = itk.array_view_from_image(image)
-    limits = np.iinfo(np.intc)
-    # written so that a value that is not a number fails
-    is_label = (values >= limits.min) & (values <= limits.max) & (np.floor(values) == values)
-    if not is_label.all():
-        place = np.unravel_index(np.argmin(is_label), values.shape)
-        value = values[place]
-        start = image.GetBufferedRegion().GetIndex()
-        voxel = ", ".join(str(int(start[n] + index)) for n, index in enumerate(reversed(place)))
-        if np.isfinite(value) and np.floor(value) == value:
-            reason = f"labels have to be from {limits.min} to {limits.max}."
-        else:
-            reason = "a label image has whole numbers. Is this an intensity or probability image?"
-        raise ValueError(f"Voxel ({voxel}) has the value {value}; {reason}")
-    labels = itk.image_from_array(values.astype(np.intc))
-    labels.SetOrigin(image.TransformIndexToPhysicalPoint(image.GetBufferedRegion().GetIndex()))
+    start = image.GetBufferedRegion().GetIndex()
+    labels = itk.image_from_array(_as_labels(itk.array_view_from_image(image), start))
+    labels.SetOrigin(image.TransformIndexToPhysicalPoint(start))
     labels.SetSpacing(image.GetSpacing())
     labels.SetDirection(image.GetDirection())
     return labels

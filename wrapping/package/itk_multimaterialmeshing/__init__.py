@@ -14,26 +14,4 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-# =========================================================================
-"""The command line programs that come with the package. The filters are in the package itk."""
-
-import os
-import pathlib
-import subprocess
-import sys
-
-
-def _run(program):
-    """Runs a program of this folder in place of this one, with the same arguments."""
-    path = pathlib.Path(__file__).parent / program
-    if os.name == "nt":
-        sys.exit(subprocess.run([f"{path}.exe", *sys.argv[1:]]).returncode)
-    os.execv(path, [program, *sys.argv[1:]])
-
-
-def multimaterial_mesh():
-    _run("multimaterial-mesh")
-
-
-def optimize_tetrahedral_mesh():
-    _run("optimize-tetrahedral-mesh")
+"""What belongs to the module in Python besides its filters: itk.multimaterial_mesh() and the programs."""

@@ -1,0 +1,23 @@
+# =========================================================================
+#
+#  Copyright NumFOCUS
+#
+#  Licensed under the Apache License, Version 2.0 (the "License");
+#  you may not use this file except in compliance with the License.
+#  You may obtain a copy of the License at
+#
+#         https://www.apache.org/licenses/LICENSE-2.0.txt
+#
+#  Unless required by applicable law or agreed to in writing, software
+#  distributed under the License is distributed on an "AS IS" BASIS,
+#  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+#  See the License for the specific language governing permissions and
+#  limitations under the License.
+#
+from typing import Any
+
+from itk_multimaterialmeshing.mesh import MultiMaterialMesh as MultiMaterialMesh
+from itk_multimaterialmeshing.mesh import multimaterial_mesh as multimaterial_mesh
+
+# all else of ITK has no types
+def __getattr__(name: str) -> Any: ...
