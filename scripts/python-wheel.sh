@@ -43,6 +43,8 @@ tetgen=$("$project/scripts/tetgen-source.sh" "$cache")
 
 options=(
   -DITK_DIR="$ITK_DIR" -DBUILD_TESTING="${BUILD_TESTING:-OFF}"
+  # with tests, ITK would get programs that check style
+  -DITK_USE_CLANG_FORMAT=OFF -DITK_USE_KWSTYLE=OFF
   -DMultiMaterialMeshing_TETGEN_SOURCE="$tetgen"
   -DPython3_EXECUTABLE="$(command -v python)"
   -DITK_USE_SYSTEM_SWIG=ON -DSWIG_EXECUTABLE="$(command -v swig)"
