@@ -10,7 +10,7 @@ def _as_labels(values, start=(0, 0, 0)):
     tolerance = 1e-3
     labels = values if values.dtype.kind in "iu" else np.rint(values)
     # written so that a value that is not a number fails
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         is_label = (labels >= limits.min) & (labels <= limits.max) & (abs(values - labels) <= tolerance)
     if not is_label.all():
         place = np.unravel_index(np.argmin(is_label), values.shape)
