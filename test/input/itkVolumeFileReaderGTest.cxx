@@ -19,6 +19,7 @@
 #include "itkVolumeFileReader.h"
 #include "support/TestNifti.h"
 
+#include "itkImageFileReader.h" // registers ITK's formats
 #include "itkMacro.h"
 #include "itkOutputWindow.h"
 
