@@ -159,7 +159,7 @@ public:
   }
 
   /** The voxels that were meshed: those of the image, or with AirMargin those of the box, which may begin before the
-   * image and go beyond it. */
+   * image and go beyond it. How much exterior that is not meshed is around the others changes neither mesh nor time. */
   const RegionType &
   GetMeshedRegion() const
   {
@@ -201,7 +201,9 @@ public:
   const IndicatorImageType *
   GetIndicatorImage(LabelType label) const;
 
-  /** With KeepIntermediates: the edge length that was asked for, in mm; else a null pointer. */
+  /** With KeepIntermediates: the edge length that was asked for, in mm; else a null pointer. It covers
+   * GetMeshedRegion(); further than 8 voxels from the box of what is meshed, the values at that distance are repeated.
+   */
   const SizingImageType *
   GetComputedSizingImage() const
   {

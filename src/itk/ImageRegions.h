@@ -20,6 +20,7 @@
 
 #include "itkImageAlgorithm.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
+#include "itkZeroFluxNeumannPadImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,26 @@ CopyRegion(const TImage * image, const typename TImage::RegionType & region, con
     itk::ImageAlgorithm::Copy(image, copy.GetPointer(), common, common);
   }
   return copy.GetPointer();
+}
+/** The image in a larger region, with the values of the nearest pixels in what that has more. */
+template <typename TImage>
+typename TImage::Pointer
+ExtendRegion(TImage * image, const typename TImage::RegionType & region)
+{
+  const auto &              own = image->GetLargestPossibleRegion();
+  typename TImage::SizeType before;
+  typename TImage::SizeType behind;
+  for (unsigned int axis = 0; axis < TImage::ImageDimension; ++axis)
+  {
+    before[axis] = static_cast<itk::SizeValueType>(own.GetIndex(axis) - region.GetIndex(axis));
+    behind[axis] = static_cast<itk::SizeValueType>(region.GetUpperIndex()[axis] - own.GetUpperIndex()[axis]);
+  }
+  const auto filter = itk::ZeroFluxNeumannPadImageFilter<TImage, TImage>::New();
+  filter->SetInput(image);
+  filter->SetPadLowerBound(before);
+  filter->SetPadUpperBound(behind);
+  filter->Update();
+  return filter->GetOutput();
 }
 } // namespace mmm
 

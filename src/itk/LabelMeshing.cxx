@@ -108,13 +108,14 @@ RestoreGeometry(const itk::ImageBase<3> * domain, double unit, FloatImage * imag
   });
 }
 
-/** An image of which only the geometry is left. */
-itk::ImageBase<3>::ConstPointer
-GeometryOf(const LabelImage * image)
+/** A part of an image of which only the geometry is left. */
+itk::ImageBase<3>::Pointer
+GeometryOf(const itk::ImageBase<3> * image, const itk::ImageRegion<3> & region)
 {
   const auto geometry = itk::ImageBase<3>::New();
   geometry->CopyInformation(image);
-  return geometry.GetPointer();
+  geometry->SetRegions(region);
+  return geometry;
 }
 
 /** The place of the label that is not meshed among the labels, or -1 if there is none. */
@@ -173,7 +174,7 @@ public:
   Run()
   {
     m_Monitor.BeginStage("merging of islands");
-    auto               labels = this->MergeIslands();
+    auto               labels = this->Crop(this->MergeIslands());
     const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());
 
     m_Monitor.BeginStage("indicators");
@@ -219,7 +220,7 @@ public:
       }
       RestoreGeometry(m_Domain, geometry.GetUnit(), sizing);
       m_Results.indicatorImages = std::move(indicators);
-      m_Results.sizingImage = sizing;
+      m_Results.sizingImage = ExtendRegion(sizing.GetPointer(), m_Results.meshedRegion);
     }
   }
 
@@ -230,9 +231,9 @@ private:
   {
     const LabelDomain domain(m_Inputs);
     m_Counts = domain.GetCounts();
-    m_Domain = GeometryOf(domain.GetImage());
+    m_Results.meshedRegion = domain.GetImage()->GetLargestPossibleRegion();
+    m_Domain = GeometryOf(domain.GetImage(), m_Results.meshedRegion);
     m_Inputs.labels = nullptr;
-    m_Results.meshedRegion = m_Domain->GetLargestPossibleRegion();
     const GridGeometry geometry(m_Domain, m_Results.meshedRegion);
     auto               labels = itk::CopyToIntegers(InGrid(domain.GetImage(), geometry).GetPointer());
     MergeLabelIslands(m_Inputs.options.exteriorLabels,
@@ -248,6 +249,31 @@ private:
     return labels;
   }
 
+  /** Leaves out exterior that is far from what is meshed, but for functions, which have its size. */
+  LabelImage::Pointer
+  Crop(LabelImage * labels)
+  {
+    // in voxels: the indicators' band on both sides of it, and room for the medial axis
+    constexpr double margin = 8.0;
+
+    const int place = ExteriorOf(m_Inputs.options, m_Results.labels);
+    if (place < 0 || !m_Inputs.functions.images.empty())
+    {
+      return labels;
+    }
+    const int  exterior = m_Results.labels[place];
+    const auto box = BoxOf(labels, [exterior](int label) { return label != exterior; });
+    auto       region = GrowRegion(box, labels->GetSpacing(), margin);
+    region.Crop(labels->GetLargestPossibleRegion());
+    const auto part = CopyRegion(labels, region, exterior);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      region.SetIndex(axis, region.GetIndex(axis) + m_Results.meshedRegion.GetIndex(axis));
+    }
+    m_Domain = GeometryOf(m_Domain, region);
+    return InGrid(part.GetPointer(), GridGeometry(m_Domain, region));
+  }
+
   std::vector<FloatImage::Pointer>
   ComputeIndicators(const GridGeometry & geometry, const LabelImage * labels)
   {
@@ -260,13 +286,13 @@ private:
     return ComputeIndicatorImages(options, labels, m_Monitor).images;
   }
 
-  LabelMeshingInputs              m_Inputs;
-  const MeshingOutputs &          m_Outputs;
-  MeshingState &                  m_State;
-  LabelMeshingResults &           m_Results;
-  FilterMonitor &                 m_Monitor;
-  itk::ImageBase<3>::ConstPointer m_Domain;
-  LabelCounts                     m_Counts;
+  LabelMeshingInputs         m_Inputs;
+  const MeshingOutputs &     m_Outputs;
+  MeshingState &             m_State;
+  LabelMeshingResults &      m_Results;
+  FilterMonitor &            m_Monitor;
+  itk::ImageBase<3>::Pointer m_Domain;
+  LabelCounts                m_Counts;
 };
 } // namespace
 
