@@ -41,18 +41,26 @@ public:
   {
     return m_Corners;
   }
-  /** Calls visit(cell) for the cells that the convex hull of the corners meets. */
-  template <typename TVisitor>
+  /** Calls visit(cell) for the cells that the convex hull of the corners meets. It leaves out rows of cells, the first
+   * index from `first` to `last`, for which wantsRow(first, last, j, k) is false. */
+  template <typename TWantsRow, typename TVisitor>
   void
-  Visit(const TVisitor & visit)
+  Visit(const TWantsRow & wantsRow, const TVisitor & visit)
   {
-    VisitSlabs(0, m_Corners, [&](int i, double begin, double end) {
+    const Interval along = IntervalOf(0, m_Corners);
+    int            first;
+    int            last;
+    m_Blocks.CellsOf(0, along.lower, along.upper, first, last);
+    this->VisitSlabs(2, m_Corners, [&](int k, double begin, double end) {
       m_Slab.clear();
-      VisitPart(m_Corners, 0, begin, end, [this](const Vector & x) { m_Slab.push_back(x); });
+      VisitPart(m_Corners, 2, begin, end, [this](const Vector & x) { m_Slab.push_back(x); });
       this->VisitSlabs(1, m_Slab, [&](int j, double beginOfRod, double endOfRod) {
-        Interval rod;
-        VisitPart(m_Slab, 1, beginOfRod, endOfRod, [&](const Vector & x) { rod.Add(x[2]); });
-        this->VisitCells(2, rod, [&](int k, double, double) { visit(Index{ { i, j, k } }); });
+        if (wantsRow(first, last, j, k))
+        {
+          Interval rod;
+          VisitPart(m_Slab, 1, beginOfRod, endOfRod, [&](const Vector & x) { rod.Add(x[0]); });
+          this->VisitCells(0, rod, [&](int i, double, double) { visit(Index{ { i, j, k } }); });
+        }
       });
     });
   }
@@ -71,17 +79,23 @@ private:
     }
   };
 
-  /** Calls visit(c, begin, end) for the cells along an axis that a body meets, and where they begin and end. */
-  template <typename TVisitor>
-  void
-  VisitSlabs(int axis, const std::vector<Vector> & body, const TVisitor & visit) const
+  static Interval
+  IntervalOf(int axis, const std::vector<Vector> & body)
   {
     Interval interval;
     for (const Vector & x : body)
     {
       interval.Add(x[axis]);
     }
-    this->VisitCells(axis, interval, visit);
+    return interval;
+  }
+
+  /** Calls visit(c, begin, end) for the cells along an axis that a body meets, and where they begin and end. */
+  template <typename TVisitor>
+  void
+  VisitSlabs(int axis, const std::vector<Vector> & body, const TVisitor & visit) const
+  {
+    this->VisitCells(axis, IntervalOf(axis, body), visit);
   }
 
   template <typename TVisitor>

@@ -33,7 +33,7 @@ namespace mmm
 class BlockComplex
 {
 public:
-  /** Keeps the blocks with samples that are kept. */
+  /** The lattice has to stay. */
   BlockComplex(const SampleLattice & lattice, int samplesPerBlock);
 
   /** Numbers of the blocks, and of all cells. */
@@ -51,27 +51,6 @@ public:
   DimensionOf(const Index & cell)
   {
     return 3 - (cell[0] & 1) - (cell[1] & 1) - (cell[2] & 1);
-  }
-
-  /** Keeps blocks, too, which are given by their own indices. */
-  void
-  Keep(const IndexBox & blocks);
-  /** Keeps the blocks that a box, in units of blocks, meets. */
-  void
-  KeepAround(const Eigen::AlignedBox3d & box);
-  /** The same blocks, of which none is kept. */
-  BlockComplex
-  WithoutKept() const;
-  /** Keeps only what is kept in another one, too. */
-  void
-  KeepOnlyOf(const BlockComplex & other);
-  /** Whether one of the blocks at some cells is kept. */
-  bool
-  HasKept(const IndexBox & cells) const;
-  bool
-  IsKept(const Index & cell) const
-  {
-    return this->HasKept({ cell, cell });
   }
 
   /** The samples of a cell. */
@@ -100,8 +79,6 @@ private:
   Grid                  m_Cells;
   Vector                m_Origin;
   Vector                m_BlockSize;
-  /** Per block. */
-  std::vector<char> m_IsKept;
 };
 } // namespace mmm
 

@@ -18,12 +18,11 @@
 #include "topology/LocalCharacteristics.h"
 
 #include "topology/BlockCellFinder.h"
+#include "topology/CellsToCompare.h"
 #include "base/IndexBox.h"
-#include "mesh/InterfaceMesh.h"
 #include "base/Parallel.h"
-#include "topology/SampleCharacteristics.h"
 #include "mesh/TetrahedronNeighbours.h"
-#include "mesh/TetrahedronRaster.h"
+#include "topology/SampleCharacteristics.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -48,25 +47,25 @@ BoxOf(const TCorners & corners, const std::vector<Vector> & points)
 class SimplexCounter
 {
 public:
-  SimplexCounter(const BlockComplex &        blocks,
+  SimplexCounter(const CellsToCompare &      cells,
                  const std::vector<Vector> & points,
                  const TetrahedralMesh &     mesh,
                  Material                    exterior,
                  const Incidence &           stars,
                  CharacteristicSums &        sums)
-    : m_Blocks(blocks)
+    : m_Cells(cells)
     , m_Points(points)
     , m_Mesh(mesh)
     , m_Exterior(exterior)
     , m_Stars(stars)
-    , m_Finder(blocks)
+    , m_Finder(cells.Blocks())
     , m_Sums(sums)
   {}
 
   void
   CountAt(std::uint32_t p)
   {
-    if (!this->IsNearKept(p))
+    if (!this->IsNearCells(p))
     {
       return;
     }
@@ -120,14 +119,14 @@ private:
   using WedgeIterator = std::vector<Wedge>::const_iterator;
 
   bool
-  IsNearKept(std::uint32_t p) const
+  IsNearCells(std::uint32_t p) const
   {
     Eigen::AlignedBox3d box(m_Points[p]);
     for (auto t = m_Stars.Begin(p); t != m_Stars.End(p); ++t)
     {
       box.extend(BoxOf(m_Mesh.tetrahedra[*t], m_Points));
     }
-    return m_Blocks.HasKept(m_Blocks.CellsOf(box));
+    return m_Cells.HasAny(m_Cells.Blocks().CellsOf(box));
   }
 
   /** Adds the point, its edges and its faces in a material. Returns where the wedges of the next one begin. */
@@ -184,15 +183,17 @@ private:
     {
       m_Finder.Corners().push_back(m_Points[c]);
     }
-    m_Finder.Visit([&](const Index & cell) {
-      if (m_Blocks.IsKept(cell))
+    const auto hasAny = [this](int first, int last, int j, int k) { return m_Cells.HasAny(first, last, j, k); };
+    m_Finder.Visit(hasAny, [&](const Index & cell) {
+      const auto number = m_Cells.Blocks().Cells().Offset(cell);
+      if (m_Cells.Has(number))
       {
-        m_Sums.Add(m_Blocks.Cells().Offset(cell), material, weight);
+        m_Sums.Add(number, material, weight);
       }
     });
   }
 
-  const BlockComplex &        m_Blocks;
+  const CellsToCompare &      m_Cells;
   const std::vector<Vector> & m_Points;
   const TetrahedralMesh &     m_Mesh;
   const Material              m_Exterior;
@@ -206,12 +207,12 @@ private:
 class SampleCounter
 {
 public:
-  SampleCounter(const BlockComplex &     blocks,
+  SampleCounter(const CellsToCompare &   cells,
                 const SampleLattice &    lattice,
                 const SampledMaterials & partition,
                 Material                 exterior,
                 CharacteristicSums &     sums)
-    : m_Blocks(blocks)
+    : m_Cells(cells)
     , m_Lattice(lattice)
     , m_Partition(partition)
     , m_Exterior(exterior)
@@ -221,12 +222,13 @@ public:
   void
   SubtractAt(std::size_t number)
   {
-    const Index cell = m_Blocks.Cells().IndexAt(number);
-    if (!m_Blocks.IsKept(cell))
+    if (!m_Cells.Has(number))
     {
       return;
     }
-    const IndexBox box{ m_Blocks.FirstSample(cell), m_Blocks.LastSample(cell) };
+    const BlockComplex & blocks = m_Cells.Blocks();
+    const Index          cell = blocks.Cells().IndexAt(number);
+    const IndexBox       box{ blocks.FirstSample(cell), blocks.LastSample(cell) };
     m_Samples.clear();
     box.Visit([&](const Index & sample) { m_Samples.push_back(m_Lattice.At(m_Partition, sample)); });
     AddCharacteristicsOfSamples(box.Size(), m_Samples, [&](Material material, int count) {
@@ -238,7 +240,7 @@ public:
   }
 
 private:
-  const BlockComplex &     m_Blocks;
+  const CellsToCompare &   m_Cells;
   const SampleLattice &    m_Lattice;
   const SampledMaterials & m_Partition;
   const Material           m_Exterior;
@@ -246,56 +248,6 @@ private:
   std::vector<Material>    m_Samples;
 };
 
-/** Keeps the blocks that interfaces of the mesh come to. */
-void
-KeepInterfaces(const std::vector<Vector> & points,
-               const TetrahedralMesh &     mesh,
-               Material                    exterior,
-               const Incidence &           stars,
-               BlockComplex &              blocks)
-{
-  const auto neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra, points.size(), stars);
-  for (const auto & corners : ExtractInterfaces(mesh, neighbours, exterior).triangles)
-  {
-    blocks.KeepAround(BoxOf(corners, points));
-  }
-}
-
-/** Keeps the blocks without interfaces in which mesh and partition are of different materials. */
-void
-KeepDiffering(const std::vector<Vector> & points,
-              const TetrahedralMesh &     mesh,
-              Material                    exterior,
-              const SampleLattice &       lattice,
-              const SampledMaterials &    partition,
-              BlockComplex &              blocks)
-{
-  constexpr std::size_t Grain = 1024;
-  std::vector<Material> materials(blocks.Blocks().NumberOfNodes(), exterior);
-  // a middle is inside of one tetrahedron at most: no two threads write to one place
-  ParallelFor(mesh.tetrahedra.size(), Grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      std::array<Vector, 4> corners;
-      for (int c = 0; c < 4; ++c)
-      {
-        corners[c] = points[mesh.tetrahedra[t][c]] - Vector::Constant(0.5);
-      }
-      VisitIndicesInside(blocks.Blocks().size, corners, -1e-9, [&](const Index & block) {
-        materials[blocks.Blocks().Offset(block)] = mesh.materials[t];
-      });
-    }
-  });
-  for (std::size_t n = 0; n < materials.size(); ++n)
-  {
-    const Index block = blocks.Blocks().IndexAt(n);
-    const Index cell{ { 2 * block[0], 2 * block[1], 2 * block[2] } };
-    if (!blocks.IsKept(cell) && lattice.At(partition, blocks.FirstSample(cell)) != materials[n])
-    {
-      blocks.Keep({ block, block });
-    }
-  }
-}
 } // namespace
 
 CharacteristicsComparison::CharacteristicsComparison(const SampleLattice &    lattice,
@@ -318,53 +270,53 @@ CharacteristicsComparison::Compare(const std::vector<Vector> & points, const Tet
     places.push_back(m_Blocks.ToBlocks(x));
   }
   const Incidence stars = StarsOfPoints(mesh.tetrahedra, points.size());
-  KeepInterfaces(places, mesh, m_Exterior, stars, m_Blocks);
-  KeepDiffering(places, mesh, m_Exterior, m_Lattice, m_Partition, m_Blocks);
+  CellsToCompare  cells(m_Blocks, m_Lattice, m_Partition);
+  cells.Find(places, mesh, m_Exterior, stars);
 
   const auto changes = m_Changes.Next(places, mesh);
   if (!changes)
   {
-    m_Differences = this->CompareWithin(m_Blocks, places, mesh, stars);
+    m_Differences = this->CompareWithin(cells, places, mesh, stars);
     return m_Differences;
   }
-  BlockComplex blocks = m_Blocks.WithoutKept();
+  std::vector<char> hasChanged(m_Blocks.Cells().NumberOfNodes(), 0);
   for (const auto & corners : *changes)
   {
-    blocks.KeepAround(BoxOf(corners, places));
+    m_Blocks.CellsOf(BoxOf(corners, places)).Visit([&](const Index & cell) {
+      hasChanged[m_Blocks.Cells().Offset(cell)] = 1;
+    });
   }
-  blocks.KeepOnlyOf(m_Blocks);
-  const auto isReplaced = [&](const LocalCharacteristic & entry) {
-    return blocks.IsKept(blocks.Cells().IndexAt(entry.cell));
-  };
+  cells.KeepOnly(hasChanged);
+  const auto isReplaced = [&](const LocalCharacteristic & entry) { return hasChanged[entry.cell] != 0; };
   m_Differences.erase(std::remove_if(m_Differences.begin(), m_Differences.end(), isReplaced), m_Differences.end());
-  m_Differences =
-    AddUp({ m_Differences, this->CompareWithin(blocks, places, mesh, stars) }, blocks.Cells().NumberOfNodes());
+  m_Differences = AddUp({ m_Differences, this->CompareWithin(cells, places, mesh, stars) }, hasChanged.size());
   return m_Differences;
 }
 
 LocalCharacteristics
-CharacteristicsComparison::CompareWithin(const BlockComplex &        blocks,
+CharacteristicsComparison::CompareWithin(const CellsToCompare &      cells,
                                          const std::vector<Vector> & places,
                                          const TetrahedralMesh &     mesh,
                                          const Incidence &           stars) const
 {
   constexpr std::size_t             PointsPerRange = 1024;
   constexpr std::size_t             CellsPerRange = 65536;
+  const std::size_t                 numberOfCells = m_Blocks.Cells().NumberOfNodes();
   std::vector<LocalCharacteristics> lists;
   AddRanges(places.size(), PointsPerRange, lists, [&](std::size_t begin, std::size_t end, CharacteristicSums & sums) {
-    SimplexCounter counter(blocks, places, mesh, m_Exterior, stars, sums);
+    SimplexCounter counter(cells, places, mesh, m_Exterior, stars, sums);
     for (std::size_t p = begin; p < end; ++p)
     {
       counter.CountAt(std::uint32_t(p));
     }
   });
-  AddRanges(blocks.Cells().NumberOfNodes(), CellsPerRange, lists, [&](auto begin, auto end, CharacteristicSums & sums) {
-    SampleCounter counter(blocks, m_Lattice, m_Partition, m_Exterior, sums);
+  AddRanges(numberOfCells, CellsPerRange, lists, [&](auto begin, auto end, CharacteristicSums & sums) {
+    SampleCounter counter(cells, m_Lattice, m_Partition, m_Exterior, sums);
     for (std::size_t n = begin; n < end; ++n)
     {
       counter.SubtractAt(n);
     }
   });
-  return AddUp(lists, blocks.Cells().NumberOfNodes());
+  return AddUp(lists, numberOfCells);
 }
 } // namespace mmm

@@ -26,10 +26,12 @@
 
 namespace mmm
 {
+class CellsToCompare;
+
 /** \brief By how much the local characteristics of a mesh exceed those of a partition.
  *
- * Those of kept blocks, that is: besides those with samples that are kept, blocks are with an interface of the mesh, or
- * of different materials in mesh and partition. In all others there is nothing to see.
+ * Only cells are looked at that an interface of the mesh or of the partition meets, or that are of different materials
+ * in the two: in all others there is nothing to see.
  *
  * What a material has of a cell in the mesh is a union of convex sets, the parts of its tetrahedra: only how these meet
  * counts. With each simplex of the material goes a weight, the alternating sum of the simplices of the material that it
@@ -55,9 +57,9 @@ public:
   Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
 
 private:
-  /** In the kept ones of some blocks. Positions are in units of blocks. */
+  /** Those of cells that are worth a look. Positions are in units of blocks. */
   LocalCharacteristics
-  CompareWithin(const BlockComplex &        blocks,
+  CompareWithin(const CellsToCompare &      cells,
                 const std::vector<Vector> & places,
                 const TetrahedralMesh &     mesh,
                 const Incidence &           stars) const;
@@ -65,7 +67,7 @@ private:
   const SampleLattice &    m_Lattice;
   const SampledMaterials & m_Partition;
   const Material           m_Exterior;
-  BlockComplex             m_Blocks;
+  const BlockComplex       m_Blocks;
   TetrahedronChanges       m_Changes;
   LocalCharacteristics     m_Differences;
 };

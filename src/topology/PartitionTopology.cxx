@@ -142,10 +142,10 @@ ReadSamples(const Index & size, const RowReader & row, std::vector<MaterialRuns>
           const Material own = reader.At(0, i, j);
           if (own < numberOfMaterials)
           {
-            std::array<bool, 8> same;
-            for (int n = 0; n < 8; ++n)
+            unsigned same = 0;
+            for (int n = 1; n < 8; ++n)
             {
-              same[n] = reader.At(n >> 2, i + (n & 1), j + (n >> 1 & 1)) == own;
+              same |= unsigned(reader.At(n >> 2, i + (n & 1), j + (n >> 1 & 1)) == own) << (n - 1);
             }
             sums[range][own] += CountSimplices(same);
           }

@@ -23,26 +23,58 @@
 
 namespace mmm
 {
-int
-CountSimplices(const std::array<bool, 8> & same)
+namespace
 {
-  int sum = 1;
-  for (int a = 1; a < 8; ++a)
+/** A sum for each set of the seven upper samples. */
+class SimplexCounts
+{
+public:
+  SimplexCounts()
   {
-    if (same[a])
+    for (unsigned same = 0; same < m_Counts.size(); ++same)
     {
-      --sum;
-      for (int b = a + 1; b < 8; ++b)
+      m_Counts[same] = Sum([same](int n) { return (same >> (n - 1) & 1) != 0; });
+    }
+  }
+  int
+  operator[](unsigned same) const
+  {
+    return m_Counts[same];
+  }
+
+private:
+  template <typename TIsSame>
+  static int
+  Sum(const TIsSame & isSame)
+  {
+    int sum = 1;
+    for (int a = 1; a < 8; ++a)
+    {
+      if (isSame(a))
       {
-        if (same[b] && (a & b) == a)
+        --sum;
+        for (int b = a + 1; b < 8; ++b)
         {
-          ++sum;
-          sum -= b != 7 && same[7];
+          if (isSame(b) && (a & b) == a)
+          {
+            ++sum;
+            sum -= b != 7 && isSame(7);
+          }
         }
       }
     }
+    return sum;
   }
-  return sum;
+
+  std::array<int, 128> m_Counts{};
+};
+} // namespace
+
+int
+CountSimplices(unsigned same)
+{
+  static const SimplexCounts counts;
+  return counts[same];
 }
 
 void
@@ -57,12 +89,12 @@ AddCharacteristicsOfSamples(const Index &                              size,
   }
   const Grid grid{ size };
   IndexBox::Of(size).Visit([&](const Index & at) {
-    const Material      own = samples[grid.Offset(at)];
-    std::array<bool, 8> same;
-    for (int n = 0; n < 8; ++n)
+    const Material own = samples[grid.Offset(at)];
+    unsigned       same = 0;
+    for (int n = 1; n < 8; ++n)
     {
       const Index other{ { at[0] + (n & 1), at[1] + (n >> 1 & 1), at[2] + (n >> 2) } };
-      same[n] = grid.Contains(other) && samples[grid.Offset(other)] == own;
+      same |= unsigned(grid.Contains(other) && samples[grid.Offset(other)] == own) << (n - 1);
     }
     const int count = CountSimplices(same);
     if (count != 0)

@@ -28,10 +28,10 @@
 namespace mmm
 {
 /** The Euler characteristic of the simplices that have the first of eight samples as their lowest vertex, and all
- * others among the samples that are the `same`. Bit 0 of a sample's number is for the upper one of the first axis and
- * so on: a simplex joins samples whose numbers gain bits. */
+ * others among the samples that are the `same`: bit n - 1 stands for sample n. Bit 0 of a sample's number is for the
+ * upper one of the first axis and so on: a simplex joins samples whose numbers gain bits. */
 int
-CountSimplices(const std::array<bool, 8> & same);
+CountSimplices(unsigned same);
 
 /** Adds the characteristics of the materials of an array of samples, by calls add(material, count). */
 void
