@@ -39,11 +39,11 @@ struct IndicatorSet::Residuals
 IndicatorSet::Residuals
 IndicatorSet::ResidualsAt(const Cell & cell, const Vector & x) const
 {
-  const TricubicStencil stencil(m_Grid, x);
-  double                firstValue = 0.0;
-  Vector                firstGradient = Vector::Zero();
-  bool                  isFirst = true;
-  Residuals             residuals;
+  const TricubicGradientStencil stencil(m_Grid, x);
+  double                        firstValue = 0.0;
+  Vector                        firstGradient = Vector::Zero();
+  bool                          isFirst = true;
+  Residuals                     residuals;
   for (const Material m : cell)
   {
     double & value = residuals.values[residuals.count];

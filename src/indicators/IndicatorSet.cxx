@@ -21,6 +21,20 @@
 
 namespace mmm
 {
+namespace
+{
+bool
+IsBeyondBox(const Grid & grid, const Vector & x)
+{
+  bool isBeyond = false;
+  for (int a = 0; a < 3; ++a)
+  {
+    isBeyond |= x[a] < grid.LowerFace(a) || x[a] > grid.UpperFace(a);
+  }
+  return isBeyond;
+}
+} // namespace
+
 IndicatorSet::IndicatorSet(const Grid & grid, std::vector<IndicatorBricks> indicators, double outside)
   : m_Grid(grid)
   , m_Indicators(std::move(indicators))
@@ -43,7 +57,7 @@ IndicatorSet::ValueAndGradient(Material m, const Vector & x, Vector & gradient) 
     gradient = m_Planes.Gradient(m);
     return m_Planes.Value(m, x);
   }
-  return TricubicStencil(m_Grid, x).Value(m_Indicators[m], m_Outside, gradient);
+  return TricubicGradientStencil(m_Grid, x).Value(m_Indicators[m], m_Outside, gradient);
 }
 
 double
@@ -60,20 +74,20 @@ IndicatorSet::Difference(Material first, Material last, const Vector & x) const
 Material
 IndicatorSet::MaterialAt(const Vector & x) const
 {
-  Material outermost = 0;
-  double   furthest = 0.0;
-  for (int p = 0; p < BoxPlanes::Count; ++p)
+  if (IsBeyondBox(m_Grid, x))
   {
-    const Material plane = m_Planes.At(p);
-    const double   value = m_Planes.Value(plane, x);
-    if (value > furthest)
+    Material outermost = 0;
+    double   furthest = 0.0;
+    for (int p = 0; p < BoxPlanes::Count; ++p)
     {
-      furthest = value;
-      outermost = plane;
+      const Material plane = m_Planes.At(p);
+      const double   value = m_Planes.Value(plane, x);
+      if (value > furthest)
+      {
+        furthest = value;
+        outermost = plane;
+      }
     }
-  }
-  if (furthest > 0.0)
-  {
     return outermost;
   }
   const auto range = this->Candidates(x);

@@ -36,21 +36,16 @@ public:
     {
       const int    last = grid.size[a] - 1;
       const double position = x[a] / grid.spacing[a];
-      const bool   within = position > 0.0 && position < last;
       const double u = std::min(std::max(position, 0.0), double(last));
       const int    base = std::min(int(u), std::max(last - 1, 0));
       const double t = u - base;
       const double t2 = t * t;
       const double t3 = t2 * t;
-      const double scale = within ? 1.0 / grid.spacing[a] : 0.0;
       m_Weight[a][0] = -0.5 * t + t2 - 0.5 * t3;
       m_Weight[a][1] = 1.0 - 2.5 * t2 + 1.5 * t3;
       m_Weight[a][2] = 0.5 * t + 2.0 * t2 - 1.5 * t3;
       m_Weight[a][3] = -0.5 * t2 + 0.5 * t3;
-      m_Slope[a][0] = (-0.5 + 2.0 * t - 1.5 * t2) * scale;
-      m_Slope[a][1] = (-5.0 * t + 4.5 * t2) * scale;
-      m_Slope[a][2] = (0.5 + 4.0 * t - 4.5 * t2) * scale;
-      m_Slope[a][3] = (-t + 1.5 * t2) * scale;
+      m_Between[a] = t;
       m_Brick[a] = IndicatorBricks::BrickOf(base - 1);
       m_Place[a] = IndicatorBricks::PlaceOf(base - 1);
     }
@@ -64,14 +59,8 @@ public:
     {
       return outside;
     }
-    double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-    this->ForEachRow(indicator, [&](int k, int j, const float * row) {
-      const double weight = m_Weight[2][k] * m_Weight[1][j];
-      for (int i = 0; i < 4; ++i)
-      {
-        sums[i] += weight * row[i];
-      }
-    });
+    Four sums = Four::Zero();
+    this->ForEachRow(indicator, [&](int k, int j, const Four & row) { sums += m_Weight[2][k] * m_Weight[1][j] * row; });
     double value = 0.0;
     for (int i = 0; i < 4; ++i)
     {
@@ -80,41 +69,9 @@ public:
     return value;
   }
 
-  /** The same with the gradient. */
-  double
-  Value(const IndicatorBricks & indicator, double outside, Vector & gradient) const
-  {
-    gradient.setZero();
-    if (indicator.IsOutside(m_Brick))
-    {
-      return outside;
-    }
-    double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-    double alongY[4] = { 0.0, 0.0, 0.0, 0.0 };
-    double alongZ[4] = { 0.0, 0.0, 0.0, 0.0 };
-    this->ForEachRow(indicator, [&](int k, int j, const float * row) {
-      const double weight = m_Weight[2][k] * m_Weight[1][j];
-      const double y = m_Weight[2][k] * m_Slope[1][j];
-      const double z = m_Slope[2][k] * m_Weight[1][j];
-      for (int i = 0; i < 4; ++i)
-      {
-        sums[i] += weight * row[i];
-        alongY[i] += y * row[i];
-        alongZ[i] += z * row[i];
-      }
-    });
-    double value = 0.0;
-    for (int i = 0; i < 4; ++i)
-    {
-      value += m_Weight[0][i] * sums[i];
-      gradient[0] += m_Slope[0][i] * sums[i];
-      gradient[1] += m_Weight[0][i] * alongY[i];
-      gradient[2] += m_Weight[0][i] * alongZ[i];
-    }
-    return value;
-  }
+protected:
+  using Four = Eigen::Array4d;
 
-private:
   /** Calls body(k, j, row) with the four values of each of the sixteen rows, which lie in up to four bricks. */
   template <typename TBody>
   void
@@ -134,11 +91,10 @@ private:
       const int z = m_Place[2] + k;
       for (int j = 0; j < 4; ++j)
       {
-        const int y = m_Place[1] + j;
-        body(k,
-             j,
-             values[z / IndicatorBricks::Edge][y / IndicatorBricks::Edge] +
-               IndicatorBricks::RowPlace(y % IndicatorBricks::Edge, z % IndicatorBricks::Edge));
+        const int           y = m_Place[1] + j;
+        const float * const row = values[z / IndicatorBricks::Edge][y / IndicatorBricks::Edge] +
+                                  IndicatorBricks::RowPlace(y % IndicatorBricks::Edge, z % IndicatorBricks::Edge);
+        body(k, j, Four(row[0], row[1], row[2], row[3]));
       }
     }
   }
@@ -146,6 +102,60 @@ private:
   Index  m_Brick; // of the first node
   Index  m_Place;
   double m_Weight[3][4];
+  /** Where the point is between its nodes. */
+  double m_Between[3];
+};
+
+/** \brief The same with the slopes of the weights. */
+class TricubicGradientStencil : public TricubicStencil
+{
+public:
+  TricubicGradientStencil(const Grid & grid, const Vector & x)
+    : TricubicStencil(grid, x)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const double position = x[a] / grid.spacing[a];
+      const bool   within = position > 0.0 && position < grid.size[a] - 1;
+      const double scale = within ? 1.0 / grid.spacing[a] : 0.0;
+      const double t = m_Between[a];
+      const double t2 = t * t;
+      m_Slope[a][0] = (-0.5 + 2.0 * t - 1.5 * t2) * scale;
+      m_Slope[a][1] = (-5.0 * t + 4.5 * t2) * scale;
+      m_Slope[a][2] = (0.5 + 4.0 * t - 4.5 * t2) * scale;
+      m_Slope[a][3] = (-t + 1.5 * t2) * scale;
+    }
+  }
+
+  /** The value of an indicator and its gradient. */
+  double
+  Value(const IndicatorBricks & indicator, double outside, Vector & gradient) const
+  {
+    gradient.setZero();
+    if (indicator.IsOutside(m_Brick))
+    {
+      return outside;
+    }
+    Four sums = Four::Zero();
+    Four alongY = Four::Zero();
+    Four alongZ = Four::Zero();
+    this->ForEachRow(indicator, [&](int k, int j, const Four & row) {
+      sums += m_Weight[2][k] * m_Weight[1][j] * row;
+      alongY += m_Weight[2][k] * m_Slope[1][j] * row;
+      alongZ += m_Slope[2][k] * m_Weight[1][j] * row;
+    });
+    double value = 0.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      value += m_Weight[0][i] * sums[i];
+      gradient[0] += m_Slope[0][i] * sums[i];
+      gradient[1] += m_Weight[0][i] * alongY[i];
+      gradient[2] += m_Weight[0][i] * alongZ[i];
+    }
+    return value;
+  }
+
+private:
   double m_Slope[3][4];
 };
 } // namespace mmm
