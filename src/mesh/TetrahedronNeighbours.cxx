@@ -21,7 +21,6 @@
 #include "mesh/TriangleLookup.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace mmm
 {
@@ -32,20 +31,14 @@ constexpr std::size_t Grain = 1024;
 /** A face by the two larger of its corners, and whose it is. */
 struct Face
 {
-  PointId       middle;
-  PointId       largest;
+  std::uint64_t corners;
   std::uint32_t tetrahedron;
   int           number;
 
   bool
   operator<(const Face & other) const
   {
-    return std::tie(middle, largest, tetrahedron) < std::tie(other.middle, other.largest, other.tetrahedron);
-  }
-  bool
-  HasCornersOf(const Face & other) const
-  {
-    return middle == other.middle && largest == other.largest;
+    return corners != other.corners ? corners < other.corners : tetrahedron < other.tetrahedron;
   }
 };
 
@@ -58,7 +51,7 @@ AddFaces(const Tetrahedron & corners, std::uint32_t tetrahedron, PointId smalles
     const Triangle face = SortedFaceOf(corners, f);
     if (face[0] == smallest)
     {
-      faces.push_back({ face[1], face[2], tetrahedron, f });
+      faces.push_back({ std::uint64_t(face[1]) << 32 | face[2], tetrahedron, f });
     }
   }
 }
@@ -95,7 +88,7 @@ ComputeTetrahedronNeighbours(const std::vector<Tetrahedron> & tetrahedra, std::s
       {
         const Face & one = faces[f - 1];
         const Face & twin = faces[f];
-        if (one.HasCornersOf(twin))
+        if (one.corners == twin.corners)
         {
           neighbours[one.tetrahedron][one.number] = twin.tetrahedron;
           neighbours[twin.tetrahedron][twin.number] = one.tetrahedron;

@@ -25,7 +25,7 @@ std::array<double, 6>
 DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vector & d)
 {
   const detail::TetrahedronNormals n(a, b, c, d);
-  const detail::Triple             cd = detail::Difference(d, c);
+  const detail::Triple             cd = detail::Difference(detail::ToTriple(d), detail::ToTriple(c));
   const double                     sixVolume = std::abs(n.sixVolume);
   // |n_i x n_j| = 6V |edge|
   const auto angle = [=](const detail::Triple & edge, const detail::Triple & first, const detail::Triple & second) {
@@ -39,6 +39,18 @@ DihedralAngles(const Vector & a, const Vector & b, const Vector & c, const Vecto
              angle(n.bc, n.n0, n.n3),
              angle(n.bd, n.n0, n.n2),
              angle(cd, n.n0, n.n1) } };
+}
+
+std::array<double, EightTetrahedra::Count>
+TetrahedronRadiusRatios(const EightTetrahedra & tetrahedra)
+{
+  std::array<double, EightTetrahedra::Count> ratios;
+  for (int t = 0; t < EightTetrahedra::Count; ++t)
+  {
+    ratios[t] = detail::RadiusRatio(detail::TetrahedronNormals(
+      tetrahedra.Corner(t, 0), tetrahedra.Corner(t, 1), tetrahedra.Corner(t, 2), tetrahedra.Corner(t, 3)));
+  }
+  return ratios;
 }
 
 Vector

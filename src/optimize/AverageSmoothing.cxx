@@ -40,6 +40,57 @@ DerivativeOfWorth(double radiusRatio)
 }
 } // namespace
 
+/** The tetrahedra around a point that moves, exterior ones aside. */
+class PointSmoother::MovedStar
+{
+public:
+  MovedStar(const PointSmoother & smoother, PointId p)
+  {
+    for (auto s = smoother.m_Star.Begin(p); s != smoother.m_Star.End(p); ++s)
+    {
+      if (smoother.IsExterior(*s))
+      {
+        continue;
+      }
+      const int at = int(m_Own.size()) % EightTetrahedra::Count;
+      if (at == 0)
+      {
+        m_Tetrahedra.emplace_back();
+      }
+      const Tetrahedron & corners = smoother.m_Tetrahedra[*s];
+      for (int c = 0; c < 4; ++c)
+      {
+        m_Tetrahedra.back().SetCorner(at, c, smoother.m_Points[corners[c]]);
+      }
+      m_Own.push_back(int(std::find(corners.begin(), corners.end(), p) - corners.begin()));
+    }
+  }
+
+  /** Adds the radius ratios times a weight, if the point were at x, to a sum. */
+  void
+  AddRadiusRatios(const Vector & x, double weight, double & sum)
+  {
+    for (std::size_t t = 0; t < m_Own.size(); ++t)
+    {
+      m_Tetrahedra[t / EightTetrahedra::Count].SetCorner(int(t % EightTetrahedra::Count), m_Own[t], x);
+    }
+    for (std::size_t t = 0; t < m_Own.size();)
+    {
+      for (const double ratio : TetrahedronRadiusRatios(m_Tetrahedra[t / EightTetrahedra::Count]))
+      {
+        if (t++ < m_Own.size())
+        {
+          sum += weight * ratio;
+        }
+      }
+    }
+  }
+
+private:
+  std::vector<EightTetrahedra> m_Tetrahedra;
+  std::vector<int>             m_Own; // which corner the point is
+};
+
 std::size_t
 PointSmoother::SmoothAll()
 {
@@ -84,19 +135,12 @@ PointSmoother::GradientAround(PointId p) const
 
 /** The sum of the radius ratios of tetrahedra around p and of the worth of triangles, if p were at x. */
 double
-PointSmoother::TotalAround(PointId p, const Vector & x) const
+PointSmoother::TotalAround(PointId p, MovedStar & star, const Vector & x) const
 {
-  double     total = 0.0;
-  const bool withTetrahedra = m_Parameters.tetrahedronWeight > 0.0;
-  for (auto s = m_Star.Begin(p); withTetrahedra && s != m_Star.End(p); ++s)
+  double total = 0.0;
+  if (m_Parameters.tetrahedronWeight > 0.0)
   {
-    if (this->IsExterior(*s))
-    {
-      continue;
-    }
-    const auto corners = this->CornersWith(*s, p, x);
-    total +=
-      m_Parameters.tetrahedronWeight * TetrahedronRadiusRatio(*corners[0], *corners[1], *corners[2], *corners[3]);
+    star.AddRadiusRatios(x, m_Parameters.tetrahedronWeight, total);
   }
   for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
   {
@@ -128,7 +172,8 @@ PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)
   }
   shortest = std::sqrt(shortest);
   const Vector from = m_Points[p];
-  const double total = this->TotalAround(p, from);
+  MovedStar    star(*this, p);
+  const double total = this->TotalAround(p, star, from);
   Vector       gradient = this->GradientAround(p);
   if (m_Freedom[p] == Freedom::OnCell)
   {
@@ -146,14 +191,14 @@ PointSmoother::MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)
   if (admit(x))
   {
     const double slope = length * shortest;
-    const double bend = slope - (this->TotalAround(p, x) - total) / Parameters::TrialStepUphill;
+    const double bend = slope - (this->TotalAround(p, star, x) - total) / Parameters::TrialStepUphill;
     step = bend > 0.0 ? std::min(Parameters::LongestStepUphill, 0.5 * slope * Parameters::TrialStepUphill / bend)
                       : Parameters::LongestStepUphill;
   }
   for (int trial = 0; trial < Parameters::StepsUphill && step > Parameters::ShortestStepUphill; ++trial, step *= 0.5)
   {
     x = at(step);
-    if (admit(x) && this->TotalAround(p, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
+    if (admit(x) && this->TotalAround(p, star, x) > total && this->StaysGood(p, x, m_Parameters.angleToKeep))
     {
       m_Points[p] = x;
       return true;

@@ -52,6 +52,8 @@ protected:
   MoveUphillOnAverage(PointId p, const std::function<bool(Vector &)> & admit);
 
 private:
+  class MovedStar;
+
   Vector
   IdealPlace(PointId p, const Tetrahedron & t) const;
   std::vector<char>
@@ -59,7 +61,7 @@ private:
   Vector
   GradientAround(PointId p) const;
   double
-  TotalAround(PointId p, const Vector & x) const;
+  TotalAround(PointId p, MovedStar & star, const Vector & x) const;
   bool
   MoveUphill(PointId p, double quality, double tolerance);
   bool

@@ -28,7 +28,7 @@ namespace mmm
 {
 /** \brief The largest edge length where none is given: a part of the cube root of the volume of what is meshed, but
  * several voxels at least. */
-MultiMaterialMeshing_EXPORT double
+double
 DefaultMaximumSize(const IndicatorSet & indicators, int exterior);
 
 /** \brief The sizing field h: the edge length that is asked for, at every grid node.

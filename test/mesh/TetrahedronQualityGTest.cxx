@@ -237,6 +237,33 @@ TEST(mmmTetrahedronQuality, RadiusRatioIsThatOfTheSpheres)
   }
 }
 
+TEST(mmmTetrahedronQuality, RadiusRatiosOfEightAreThoseOfOneToTheLastBit)
+{
+  std::mt19937                           random(1);
+  std::uniform_real_distribution<double> coordinate(-2.0, 2.0);
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    std::array<Points, mmm::EightTetrahedra::Count> shapes;
+    mmm::EightTetrahedra                            eight;
+    for (int t = 0; t < mmm::EightTetrahedra::Count; ++t)
+    {
+      for (int c = 0; c < 4; ++c)
+      {
+        shapes[t][c] = Vector(coordinate(random), coordinate(random), coordinate(random));
+        // one is flat, one has no extent
+        shapes[t][c][2] *= t == 6 ? 0.0 : 1.0;
+        shapes[t][c] *= t == 7 ? 0.0 : 1.0;
+        eight.SetCorner(t, c, shapes[t][c]);
+      }
+    }
+    const auto ratios = mmm::TetrahedronRadiusRatios(eight);
+    for (int t = 0; t < mmm::EightTetrahedra::Count; ++t)
+    {
+      EXPECT_EQ(ratios[t], RadiusRatio(shapes[t]));
+    }
+  }
+}
+
 TEST(mmmTetrahedronQuality, ShapeIsInvariantUnderSimilarities)
 {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(0.7, Vector(1, -2, 3).normalized()).toRotationMatrix();
