@@ -18,7 +18,6 @@
 #include "mesh/TetrahedronNeighbours.h"
 
 #include "base/Parallel.h"
-#include "mesh/TriangleLookup.h"
 
 #include <algorithm>
 
@@ -46,13 +45,29 @@ struct Face
 void
 AddFaces(const Tetrahedron & corners, std::uint32_t tetrahedron, PointId smallest, std::vector<Face> & faces)
 {
+  const auto smaller = std::count_if(corners.begin(), corners.end(), [=](PointId c) { return c < smallest; });
+  if (smaller > 1)
+  {
+    return;
+  }
   for (int f = 0; f < 4; ++f)
   {
-    const Triangle face = SortedFaceOf(corners, f);
-    if (face[0] == smallest)
+    // without the one that is smaller
+    if (corners[f] == smallest || (smaller == 1 && corners[f] > smallest))
     {
-      faces.push_back({ std::uint64_t(face[1]) << 32 | face[2], tetrahedron, f });
+      continue;
     }
+    PointId others[2];
+    int     count = 0;
+    for (int c = 0; c < 4; ++c)
+    {
+      if (c != f && corners[c] != smallest)
+      {
+        others[count++] = corners[c];
+      }
+    }
+    const auto ends = std::minmax(others[0], others[1]);
+    faces.push_back({ std::uint64_t(ends.first) << 32 | ends.second, tetrahedron, f });
   }
 }
 } // namespace
