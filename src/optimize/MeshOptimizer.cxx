@@ -51,7 +51,6 @@ OptimizeMesh(const InterfaceConstraint &    constraint,
     report.moves += smoother.SmoothWorst(poorQuality, parameters.interfaceTolerance);
     report.moves += smoother.SmoothAll();
     report.moves += smoother.SmoothTriangles(parameters.lowTriangle);
-    report.moves += smoother.SmoothJointly();
     report.moves += smoother.ReturnToCells();
     check.AssertSound();
     report.rounds = round + 1;

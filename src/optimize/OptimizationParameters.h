@@ -101,16 +101,6 @@ struct OptimizationParameters
   /** What is further from the interfaces, in units of their tolerance, is not near them: such points belong to the
    * image's box, for instance. */
   static constexpr double NearInTolerances = 8.0;
-
-  /** \name How several points move together, where no single one can. */
-  /** Places that are tried, each for all corners. */
-  static constexpr int JointTrials = 400;
-  /** What is this much better than poor is left alone. */
-  static constexpr double JointGoal = 1.1;
-  /** Corners move by up to this at once, in units of the longest edge at the first one. */
-  static constexpr double LongestJointMove = 0.1;
-  /** What is worse by this is no worse: rounding. */
-  static constexpr double NegligibleLoss = 1e-9;
 };
 
 /** \brief The numbers of the fit of the interfaces. Lengths are in units of the smallest voxel spacing. */

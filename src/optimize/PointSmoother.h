@@ -42,10 +42,6 @@ public:
   /** Moves points that are off their cell back to it, where tetrahedra and triangles stay good enough. */
   std::size_t
   ReturnToCells();
-  /** Moves the corners of the worst tetrahedra, and of the worst triangles, together, where no single one can make them
-   * better. */
-  std::size_t
-  SmoothJointly();
 
 protected:
   bool
@@ -73,15 +69,6 @@ private:
   SearchForTriangles(PointId p, const TAlong & along, const TAdmit & admit, double & worst);
   bool
   TryMove(PointId p, const Vector & target, double slack, double & worst);
-  struct Worth
-  {
-    double triangle;
-    double tetrahedron;
-  };
-  Worth
-  WorthAround(const std::vector<PointId> & points, double poorQuality, const Worth & enough) const;
-  bool
-  MoveTogether(const std::vector<PointId> & corners, double poorQuality);
 };
 } // namespace mmm
 
