@@ -112,8 +112,6 @@ struct LinkReport
   std::size_t points{ 0 };
   /** Tetrahedra that were given to another material to mend them. */
   std::size_t relabelled{ 0 };
-  /** Particles that got the cell of the materials that meet there. */
-  std::size_t updatedCells{ 0 };
   /** What could not be mended. */
   std::vector<MeshingPlace> left;
 };

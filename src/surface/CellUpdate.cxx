@@ -49,7 +49,7 @@ CellOfMaterials(const IndicatorSet & indicators, const std::vector<Material> & m
 }
 } // namespace
 
-std::size_t
+void
 UpdateCells(const IndicatorSet &         indicators,
             const TetrahedralMesh &      mesh,
             const TetrahedronAdjacency & adjacency,
@@ -66,15 +66,12 @@ UpdateCells(const IndicatorSet &         indicators,
     }
   });
   CellNumbers numbers(particles.cellTable);
-  std::size_t changed = 0;
   for (std::size_t p = 0; p < cells.size(); ++p)
   {
     if (cells[p] != particles.CellOf(p))
     {
       particles.cells[p] = numbers(cells[p]);
-      ++changed;
     }
   }
-  return changed;
 }
 } // namespace mmm

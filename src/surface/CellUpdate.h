@@ -25,9 +25,8 @@
 namespace mmm
 {
 /** \brief Gives particles the cell of the materials that meet at them in a labelled mesh, where that is another one and
- * lies nearby. Particles do not move. What lies beyond the mesh has the material `outside`. Returns how many changed.
- */
-std::size_t
+ * lies nearby. Particles do not move. What lies beyond the mesh has the material `outside`. */
+void
 UpdateCells(const IndicatorSet &         indicators,
             const TetrahedralMesh &      mesh,
             const TetrahedronAdjacency & adjacency,

@@ -122,9 +122,8 @@ public:
   {
     report.residualsOfParticles = MeasureResiduals(m_Indicators, m_Particles);
     m_Repair.left = FindLinkDefects(m_Labelled, *m_Adjacency, m_Exterior);
-    const auto updated = UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, m_Particles);
+    UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, m_Particles);
     report.links = DescribeLinks(m_Repair, m_Particles);
-    report.links.updatedCells = updated;
     InterfaceMesh interfaces = this->Interfaces();
     report.inconsistentTriangles = FindInconsistentTriangles(m_Indicators, m_Particles, interfaces, m_Exterior);
     if (!report.inconsistentTriangles.empty())

@@ -91,6 +91,7 @@ MakeSizes(int size, float value)
 TEST(IndicatorImagesToSizingImageFilter, ChordToleranceDecidesOnASphere)
 {
   const auto filter = MakeBallFilter(36, 12.0);
+  filter->SetMaximumSize(std::numeric_limits<double>::infinity());
   for (const double tolerance : { 0.1, 0.2 })
   {
     filter->SetChordTolerance(tolerance);
@@ -211,6 +212,7 @@ TEST(IndicatorImagesToSizingImageFilter, ExteriorAtTheBorderIsNoInterface)
   {
     const auto filter = MakeFilter(indicators);
     filter->SetExteriorIndex(exterior);
+    filter->SetMaximumSize(std::numeric_limits<double>::infinity());
     filter->Update();
     const float size = filter->GetOutput()->GetPixel({ { 0, 12, 1 } });
     if (exterior == 0)

@@ -104,12 +104,12 @@ TEST(MergeLabelIslandsImageFilter, KeepsTheFirstOfEquallyLargeComponents)
 TEST(MergeLabelIslandsImageFilter, ConnectsVoxelsByTheirFacesOnly)
 {
   const auto image = MakeCanvas(12);
-  DrawRow(image, 1, 1, 1, 6, 2);
-  DrawRow(image, 7, 2, 1, 4, 2); // touches the first row's end along an edge
+  DrawRow(image, 1, 1, 1, 8, 2);
+  DrawRow(image, 9, 2, 1, 2, 2); // touches the first row's end along an edge
   const auto filter = MakeFilter(image);
   filter->Update();
-  EXPECT_EQ(At(filter, 6, 1, 1), 2);
-  EXPECT_EQ(At(filter, 7, 2, 1), 1);
+  EXPECT_EQ(At(filter, 8, 1, 1), 2);
+  EXPECT_EQ(At(filter, 9, 2, 1), 1);
 }
 
 namespace
