@@ -19,9 +19,11 @@
 """What each mechanism alone buys: meshes of a program in which one of them is left out.
 
 usage: ablate.py FOLDER IMAGE... [-- OPTION...]
+       ablate.py --check
 
 Copies the sources to FOLDER, puts a switch before each mechanism there, builds the program once, and prints a line for each
 image and mechanism, from the report: what the mesh is without it. "none" leaves out nothing, "seed" shows what is noise.
+With --check it only says whether the sources still call each mechanism as the table here has it.
 """
 
 import json
@@ -36,6 +38,7 @@ PROJECT = pathlib.Path(__file__).resolve().parent.parent
 # name of the mechanism: where it is called, and the call
 MECHANISMS = {
     "missing-samples": ("src/surface/SurfaceStage.cxx", "this->AddMissing();"),
+    "cell-update": ("src/surface/SurfaceStage.cxx", "UpdateCells(m_Indicators"),
     "particle-merging": ("src/surface/SurfaceStage.cxx", "MergeCloseParticles(m_Indicators"),
     "lost-nodes": ("src/surface/SurfaceStage.cxx", "missed.push_back(this->FindLost())"),
     "other-topology": ("src/surface/SurfaceStage.cxx", "missed.push_back(this->FindOtherTopology())"),
@@ -48,18 +51,23 @@ MECHANISMS = {
 SWITCH = 'if (const char * off = std::getenv("ABLATE"); off == nullptr || std::string(off) != "{name}") '
 
 
-def build(folder):
-    source = folder / "source"
-    source.mkdir(parents=True)
-    archive = subprocess.run(["git", "archive", "HEAD"], cwd=PROJECT, check=True, capture_output=True).stdout
-    subprocess.run(["tar", "x", "-C", source], input=archive, check=True)
+def add_switches(source):
     for name, (file, call) in MECHANISMS.items():
         path = source / file
         text = path.read_text()
         if call not in text:
             sys.exit(f"{file} has no '{call}' any more: the table of mechanisms is out of date")
         text = text.replace(call, SWITCH.format(name=name) + call)
-        path.write_text(text if "<cstdlib>" in text else "#include <cstdlib>\n#include <string>\n" + text)
+        yield path, text if "<cstdlib>" in text else "#include <cstdlib>\n#include <string>\n" + text
+
+
+def build(folder):
+    source = folder / "source"
+    source.mkdir(parents=True)
+    archive = subprocess.run(["git", "archive", "HEAD"], cwd=PROJECT, check=True, capture_output=True).stdout
+    subprocess.run(["tar", "x", "-C", source], input=archive, check=True)
+    for path, text in add_switches(source):
+        path.write_text(text)
     environment = {**os.environ, "BUILD_DIR": str(folder / "build")}
     subprocess.run([source / "scripts/build.sh", "-DBUILD_TESTING=OFF"], env=environment, check=True, stdout=sys.stderr)
     return folder / "build/bin/multimaterial-mesh"
@@ -89,6 +97,10 @@ def main():
     if "--" in arguments:
         place = arguments.index("--")
         arguments, options = arguments[:place], arguments[place + 1 :]
+    if arguments == ["--check"]:
+        for _ in add_switches(PROJECT):
+            pass
+        return
     if len(arguments) < 2:
         sys.exit(__doc__)
     folder = pathlib.Path(arguments[0]).resolve()

@@ -195,7 +195,8 @@ private:
   Relax(bool isLast)
   {
     const InterfaceMesh       interfaces = this->Interfaces();
-    std::vector<SparsePlaces> missed{ this->FindLost() };
+    std::vector<SparsePlaces> missed;
+    missed.push_back(this->FindLost());
     if (isLast)
     {
       this->MendLinks();
