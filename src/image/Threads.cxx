@@ -22,16 +22,23 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace mmm
 {
 namespace
 {
+/** A label that would lose more than this share of its voxels is thin all over. */
+constexpr double LargestLoss = 0.05;
+/** Voxels of a thread for each of its length, at most; what has more is a sheet. */
+constexpr std::size_t Thickness = 2;
+
 /** Islands that touch each other. */
 struct Chain
 {
-  Index lower;
-  Index upper;
+  Index       lower;
+  Index       upper;
+  std::size_t voxels{ 0 };
   /** A larger part of the label that it touches. */
   std::uint32_t end{ 0 };
   bool          hasEnd{ false };
@@ -52,6 +59,28 @@ struct Chain
     return std::size_t(*std::max_element(sides.begin(), sides.end()));
   }
 };
+
+/** The labels that would lose many of their voxels. */
+std::set<int>
+FindThinLabels(const std::vector<LabelComponent> & components, const std::vector<char> & isIsland)
+{
+  std::map<int, std::size_t> voxels;
+  std::map<int, std::size_t> lost;
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    voxels[components[c].label] += components[c].voxels;
+    lost[components[c].label] += isIsland[c] ? components[c].voxels : 0;
+  }
+  std::set<int> thin;
+  for (const auto & [label, count] : lost)
+  {
+    if (double(count) > LargestLoss * double(voxels[label]))
+    {
+      thin.insert(label);
+    }
+  }
+  return thin;
+}
 } // namespace
 
 void
@@ -97,6 +126,7 @@ KeepThreads(const Index &                       size,
   for (const Index & at : voxels)
   {
     Chain & chain = chains.insert({ sets.Find(numberAt(at)), Chain{ at, at } }).first->second;
+    ++chain.voxels;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       chain.lower[axis] = std::min(chain.lower[axis], at[axis]);
@@ -109,10 +139,15 @@ KeepThreads(const Index &                       size,
       }
     });
   }
+  const std::set<int> thinLabels = FindThinLabels(components, isIsland);
+  const auto          isThread = [&](const Chain & chain, int label) {
+    const bool isLong = chain.Length() >= minimumSize;
+    return thinLabels.count(label) != 0 ? isLong || chain.isLink : isLong && chain.voxels <= Thickness * chain.Length();
+  };
   for (std::uint32_t c = 0; c < isIsland.size(); ++c)
   {
     const auto found = isIsland[c] ? chains.find(sets.Find(c)) : chains.end();
-    if (found != chains.end() && (found->second.isLink || found->second.Length() >= minimumSize))
+    if (found != chains.end() && isThread(found->second, components[c].label))
     {
       isIsland[c] = 0;
     }

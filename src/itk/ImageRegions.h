@@ -100,6 +100,7 @@ CopyRegion(const TImage * image, const typename TImage::RegionType & region, con
   }
   return copy.GetPointer();
 }
+
 /** The image in a larger region, with the values of the nearest pixels in what that has more. */
 template <typename TImage>
 typename TImage::Pointer

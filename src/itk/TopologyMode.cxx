@@ -19,29 +19,44 @@
 
 #include "itkMacro.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace mmm
 {
 namespace
 {
-constexpr TopologyMode Modes[] = { TopologyMode::Automatic, TopologyMode::Any, TopologyMode::Keep };
+struct NamedMode
+{
+  TopologyMode mode;
+  const char * name;
+};
+
+constexpr NamedMode Modes[] = { { TopologyMode::Automatic, "auto" },
+                                { TopologyMode::Any, "any" },
+                                { TopologyMode::Keep, "keep" } };
 } // namespace
 
 std::string
 ToText(TopologyMode mode)
 {
-  return mode == TopologyMode::Automatic ? "auto" : mode == TopologyMode::Any ? "any" : "keep";
+  return std::find_if(
+           std::begin(Modes), std::end(Modes), [mode](const NamedMode & entry) { return entry.mode == mode; })
+    ->name;
 }
 
 TopologyMode
 ParseTopologyMode(const std::string & text)
 {
-  for (const TopologyMode mode : Modes)
+  std::string names;
+  for (const NamedMode & entry : Modes)
   {
-    if (text == ToText(mode))
+    if (text == entry.name)
     {
-      return mode;
+      return entry.mode;
     }
+    names += (names.empty() ? "" : ", ") + std::string(entry.name);
   }
-  itkGenericExceptionMacro("There is no topology mode '" << text << "'. It has to be one of auto, any, keep.");
+  itkGenericExceptionMacro("There is no topology mode '" << text << "'. It has to be one of " << names << '.');
 }
 } // namespace mmm

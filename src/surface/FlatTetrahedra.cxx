@@ -43,7 +43,6 @@ public:
                        TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
     , m_Particles(particles)
-    , m_Points(particles.positions)
     , m_Mesh(mesh)
     , m_Neighbours(adjacency.neighbours)
     , m_Inspector(mesh, adjacency, outside)
@@ -127,7 +126,10 @@ private:
     {
       const Triangle corners = FaceOf(m_Mesh.tetrahedra[t], f);
       double &       worst = m_Mesh.materials[m_Neighbours[t][f]] == own ? after : before;
-      worst = std::min(worst, TriangleRadiusRatio(m_Points[corners[0]], m_Points[corners[1]], m_Points[corners[2]]));
+      worst = std::min(worst,
+                       TriangleRadiusRatio(m_Particles.positions[corners[0]],
+                                           m_Particles.positions[corners[1]],
+                                           m_Particles.positions[corners[2]]));
     }
     candidate = { before, t, beyond };
     return before < MendingParameters::PoorTriangle && after > before;
@@ -139,7 +141,11 @@ private:
     const auto               t = candidate.tetrahedron;
     const auto &             c = m_Mesh.tetrahedra[t];
     const Material           own = m_Mesh.materials[t];
-    const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
+    const TetrahedronSupport support(m_Indicators,
+                                     m_Particles.positions[c[0]],
+                                     m_Particles.positions[c[1]],
+                                     m_Particles.positions[c[2]],
+                                     m_Particles.positions[c[3]]);
     if (m_Indicators.IsPlane(own) || m_Indicators.IsPlane(candidate.beyond) ||
         support.Of(own) - support.Of(candidate.beyond) > MendingParameters::Tolerance ||
         !std::all_of(c.begin(), c.end(), [&](PointId p) { return m_Particles.CellOf(p).Has(candidate.beyond); }))
@@ -170,7 +176,6 @@ private:
 
   const IndicatorSet &          m_Indicators;
   const ParticleSet &           m_Particles;
-  const std::vector<Vector> &   m_Points;
   TetrahedralMesh &             m_Mesh;
   const TetrahedronNeighbours & m_Neighbours;
   LinkInspector                 m_Inspector;

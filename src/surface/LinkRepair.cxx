@@ -53,7 +53,6 @@ public:
                TetrahedralMesh &            mesh)
     : m_Indicators(indicators)
     , m_Particles(particles)
-    , m_Points(particles.positions)
     , m_Outside(outside)
     , m_Mesh(mesh)
     , m_Adjacency(adjacency)
@@ -161,9 +160,16 @@ private:
     if (entry.second)
     {
       const auto &             c = m_Mesh.tetrahedra[t];
-      const TetrahedronSupport support(m_Indicators, m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]);
-      entry.first->second =
-        TetrahedronVolume(m_Points[c[0]], m_Points[c[1]], m_Points[c[2]], m_Points[c[3]]) * this->SupportOf(support, m);
+      const TetrahedronSupport support(m_Indicators,
+                                       m_Particles.positions[c[0]],
+                                       m_Particles.positions[c[1]],
+                                       m_Particles.positions[c[2]],
+                                       m_Particles.positions[c[3]]);
+      entry.first->second = TetrahedronVolume(m_Particles.positions[c[0]],
+                                              m_Particles.positions[c[1]],
+                                              m_Particles.positions[c[2]],
+                                              m_Particles.positions[c[3]]) *
+                            this->SupportOf(support, m);
     }
     return entry.first->second;
   }
@@ -249,7 +255,6 @@ private:
 
   const IndicatorSet &         m_Indicators;
   const ParticleSet &          m_Particles;
-  const std::vector<Vector> &  m_Points;
   const Material               m_Outside;
   TetrahedralMesh &            m_Mesh;
   const TetrahedronAdjacency & m_Adjacency;

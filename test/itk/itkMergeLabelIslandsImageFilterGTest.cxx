@@ -157,6 +157,41 @@ TEST(MergeLabelIslandsImageFilter, KeepsWhatLinksLargerPartsAcrossEdges)
   EXPECT_EQ(CountMerged(MakeFilter(image)), 0u);
 }
 
+namespace
+{
+/** A box of label 2 that is much larger than what else is drawn. */
+void
+DrawTrunk(ImageType * image)
+{
+  for (int n = 0; n < 64; ++n)
+  {
+    DrawRow(image, 12, 12 + n / 8, 12 + n % 8, 8, 2);
+  }
+}
+} // namespace
+
+TEST(MergeLabelIslandsImageFilter, KeepsLongThreadsOfThickLabels)
+{
+  const auto image = MakeCanvas(24);
+  DrawTrunk(image);
+  DrawDiagonal(image, 10);
+  EXPECT_EQ(CountMerged(MakeFilter(image)), 0u);
+}
+
+TEST(MergeLabelIslandsImageFilter, MergesFrayedSheetsOfThickLabels)
+{
+  const auto image = MakeCanvas(24);
+  DrawTrunk(image);
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int j = i % 2; j < 6; j += 2)
+    {
+      image->SetPixel({ { i + 1, j + 1, 4 } }, 2);
+    }
+  }
+  EXPECT_EQ(CountMerged(MakeFilter(image)), 24u);
+}
+
 TEST(MergeLabelIslandsImageFilter, CountsTheFacesOfAllVoxelsOfAComponent)
 {
   // the island's first voxel has more faces to label 1, the whole of it to label 3
