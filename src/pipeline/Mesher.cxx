@@ -269,8 +269,9 @@ BuildMesh(const IndicatorSet &      indicators,
   if (parameters.compareTopology &&
       !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
   {
+    const TetrahedronAdjacency adjacency(result.tetrahedra.tetrahedra, result.points.size());
     report.topology = TopologyComparison(indicators, exterior, SampleLattice::RefinementFor(parameters.keepTopology))
-                        .Compare(result.points, result.tetrahedra);
+                        .Compare(result.points, result.tetrahedra, adjacency);
   }
   monitor.BeginStage("fit of the interfaces");
   FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);

@@ -140,7 +140,7 @@ public:
   TopologyReport
   CompareTopology()
   {
-    return m_Topology.Compare(m_Particles.positions, m_Labelled);
+    return m_Topology.Compare(m_Particles.positions, m_Labelled, *m_Adjacency);
   }
 
 private:
@@ -303,7 +303,7 @@ private:
   TopologyDifferences
   FindDifferences()
   {
-    return m_Topology.FindDifferences(m_Particles.positions, m_Labelled);
+    return m_Topology.FindDifferences(m_Particles.positions, m_Labelled, *m_Adjacency);
   }
 
   /** Makes sizes small at some places, and adds particles there. Returns how many. */

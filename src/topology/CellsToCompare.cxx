@@ -19,21 +19,19 @@
 
 #include "base/ParallelCollect.h"
 #include "mesh/InterfaceMesh.h"
-#include "mesh/TetrahedronNeighbours.h"
 #include "mesh/TetrahedronRaster.h"
 #include "topology/BlockCellFinder.h"
 
 namespace mmm
 {
 void
-CellsToCompare::Find(const std::vector<Vector> & places,
-                     const TetrahedralMesh &     mesh,
-                     Material                    exterior,
-                     const Incidence &           stars)
+CellsToCompare::Find(const std::vector<Vector> &   places,
+                     const TetrahedralMesh &       mesh,
+                     Material                      exterior,
+                     const TetrahedronNeighbours & neighbours)
 {
   this->FindMixed(exterior);
   this->FindOthers(places, mesh);
-  const auto neighbours = ComputeTetrahedronNeighbours(mesh.tetrahedra, places.size(), stars);
   this->FindMet(places, ExtractInterfaces(mesh, neighbours, exterior).triangles);
 }
 

@@ -18,8 +18,8 @@
 #ifndef mmmCellsToCompare_h
 #define mmmCellsToCompare_h
 
-#include "mesh/Incidence.h"
 #include "mesh/TetrahedralMesh.h"
+#include "mesh/TetrahedronNeighbours.h"
 #include "topology/BlockComplex.h"
 
 #include <algorithm>
@@ -74,7 +74,10 @@ public:
   /** Takes the cells that an interface of a mesh or of the partition meets, and those of another material. Places are
    * in units of blocks. */
   void
-  Find(const std::vector<Vector> & places, const TetrahedralMesh & mesh, Material exterior, const Incidence & stars);
+  Find(const std::vector<Vector> &   places,
+       const TetrahedralMesh &       mesh,
+       Material                      exterior,
+       const TetrahedronNeighbours & neighbours);
   /** Leaves only those that have changed. */
   void
   KeepOnly(const std::vector<char> & hasChanged);

@@ -21,7 +21,6 @@
 #include "topology/CellsToCompare.h"
 #include "base/IndexBox.h"
 #include "base/Parallel.h"
-#include "mesh/TetrahedronNeighbours.h"
 #include "topology/SampleCharacteristics.h"
 
 #include <algorithm>
@@ -261,7 +260,9 @@ CharacteristicsComparison::CharacteristicsComparison(const SampleLattice &    la
 {}
 
 const LocalCharacteristics &
-CharacteristicsComparison::Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+CharacteristicsComparison::Compare(const std::vector<Vector> &  points,
+                                   const TetrahedralMesh &      mesh,
+                                   const TetrahedronAdjacency & adjacency)
 {
   std::vector<Vector> places;
   places.reserve(points.size());
@@ -269,14 +270,13 @@ CharacteristicsComparison::Compare(const std::vector<Vector> & points, const Tet
   {
     places.push_back(m_Blocks.ToBlocks(x));
   }
-  const Incidence stars = StarsOfPoints(mesh.tetrahedra, points.size());
-  CellsToCompare  cells(m_Blocks, m_Lattice, m_Partition);
-  cells.Find(places, mesh, m_Exterior, stars);
+  CellsToCompare cells(m_Blocks, m_Lattice, m_Partition);
+  cells.Find(places, mesh, m_Exterior, adjacency.neighbours);
 
   const auto changes = m_Changes.Next(places, mesh);
   if (!changes)
   {
-    m_Differences = this->CompareWithin(cells, places, mesh, stars);
+    m_Differences = this->CompareWithin(cells, places, mesh, adjacency.stars);
     return m_Differences;
   }
   std::vector<char> hasChanged(m_Blocks.Cells().NumberOfNodes(), 0);
@@ -289,7 +289,8 @@ CharacteristicsComparison::Compare(const std::vector<Vector> & points, const Tet
   cells.KeepOnly(hasChanged);
   const auto isReplaced = [&](const LocalCharacteristic & entry) { return hasChanged[entry.cell] != 0; };
   m_Differences.erase(std::remove_if(m_Differences.begin(), m_Differences.end(), isReplaced), m_Differences.end());
-  m_Differences = AddUp({ m_Differences, this->CompareWithin(cells, places, mesh, stars) }, hasChanged.size());
+  m_Differences =
+    AddUp({ m_Differences, this->CompareWithin(cells, places, mesh, adjacency.stars) }, hasChanged.size());
   return m_Differences;
 }
 

@@ -20,8 +20,8 @@
 
 #include "topology/BlockComplex.h"
 #include "topology/CharacteristicSums.h"
-#include "mesh/Incidence.h"
 #include "mesh/TetrahedralMesh.h"
+#include "mesh/TetrahedronAdjacency.h"
 #include "mesh/TetrahedronChanges.h"
 
 namespace mmm
@@ -54,7 +54,7 @@ public:
   }
   /** Those of a mesh. If it is the last one with some points added at the end, only what has changed is looked at. */
   const LocalCharacteristics &
-  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency);
 
 private:
   /** Those of cells that are worth a look. Positions are in units of blocks. */

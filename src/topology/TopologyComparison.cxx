@@ -52,13 +52,15 @@ TopologyComparison::TopologyComparison(const IndicatorSet & indicators, Material
 {}
 
 TopologyReport
-TopologyComparison::Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+TopologyComparison::Compare(const std::vector<Vector> &  points,
+                            const TetrahedralMesh &      mesh,
+                            const TetrahedronAdjacency & adjacency)
 {
   auto                        partition = ComputePartitionTopology(m_Lattice, m_Partition);
   TopologyReport              report;
   std::vector<std::ptrdiff_t> explained(partition.size(), 0);
   std::vector<char>           hasPlace(partition.size(), 0);
-  const auto                  differences = this->FindDifferences(points, mesh);
+  const auto                  differences = this->FindDifferences(points, mesh, adjacency);
   for (const auto & place : differences.cancelling)
   {
     report.cancelling.push_back(Describe(place).place);

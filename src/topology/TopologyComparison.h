@@ -50,13 +50,15 @@ public:
 
   /** See TopologyDifferenceFinder::Find(). */
   TopologyDifferences
-  FindDifferences(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+  FindDifferences(const std::vector<Vector> &  points,
+                  const TetrahedralMesh &      mesh,
+                  const TetrahedronAdjacency & adjacency)
   {
-    return m_Finder.Find(points, mesh);
+    return m_Finder.Find(points, mesh, adjacency);
   }
   /** The same with Betti numbers. */
   TopologyReport
-  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+  Compare(const std::vector<Vector> & points, const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency);
 
 private:
   const SampleLattice      m_Lattice;

@@ -360,9 +360,11 @@ TopologyDifferenceFinder::TopologyDifferenceFinder(const SampleLattice &    latt
 TopologyDifferenceFinder::~TopologyDifferenceFinder() = default;
 
 TopologyDifferences
-TopologyDifferenceFinder::Find(const std::vector<Vector> & points, const TetrahedralMesh & mesh)
+TopologyDifferenceFinder::Find(const std::vector<Vector> &  points,
+                               const TetrahedralMesh &      mesh,
+                               const TetrahedronAdjacency & adjacency)
 {
-  const auto & left = m_Comparison->Compare(points, mesh);
+  const auto & left = m_Comparison->Compare(points, mesh, adjacency);
   return PlaceFinder(m_Lattice, m_Partition, m_Exterior, m_Comparison->Blocks(), left).Find();
 }
 } // namespace mmm

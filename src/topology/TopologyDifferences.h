@@ -20,6 +20,7 @@
 
 #include "indicators/SampleLattice.h"
 #include "mesh/TetrahedralMesh.h"
+#include "mesh/TetrahedronAdjacency.h"
 #include "topology/EulerChanges.h"
 
 #include <memory>
@@ -74,7 +75,7 @@ public:
 
   /** If the points are those of the last call and some more behind them, it looks only at what has changed. */
   TopologyDifferences
-  Find(const std::vector<Vector> & points, const TetrahedralMesh & mesh);
+  Find(const std::vector<Vector> & points, const TetrahedralMesh & mesh, const TetrahedronAdjacency & adjacency);
 
 private:
   const SampleLattice &                      m_Lattice;

@@ -63,6 +63,12 @@ public:
     }
   }
 
+  mmm::TetrahedronAdjacency
+  Adjacency() const
+  {
+    return { mesh.tetrahedra, points.size() };
+  }
+
   std::vector<Vector>  points;
   mmm::TetrahedralMesh mesh;
 };
@@ -72,7 +78,8 @@ FindDifferences(const mmm::IndicatorSet & indicators, const Tetrahedra & tetrahe
 {
   const mmm::SampleLattice lattice(indicators, samplesPerVoxel);
   const auto               partition = lattice.SamplePartition(Exterior);
-  return mmm::TopologyDifferenceFinder(lattice, partition, Exterior).Find(tetrahedra.points, tetrahedra.mesh);
+  return mmm::TopologyDifferenceFinder(lattice, partition, Exterior)
+    .Find(tetrahedra.points, tetrahedra.mesh, tetrahedra.Adjacency());
 }
 
 template <typename TFunction>
@@ -227,8 +234,10 @@ TEST(TopologyDifferences, AddUpToThatOfTheCharacteristics)
       const bool isNear = std::abs(x.norm() - Radius) < 0.7;
       return (x.norm() < Radius) != (isNear && mmm::Hash(++n) % 5 == 0);
     });
-    auto sum = Sum(mmm::TopologyDifferenceFinder(lattice, partition, Exterior).Find(noise.points, noise.mesh).places);
-    const auto actual = mmm::ComputeMeshTopology(noise.points, noise.mesh, 2);
+    auto             sum = Sum(mmm::TopologyDifferenceFinder(lattice, partition, Exterior)
+                     .Find(noise.points, noise.mesh, noise.Adjacency())
+                     .places);
+    const auto       actual = mmm::ComputeMeshTopology(noise.points, noise.mesh, 2);
     for (mmm::Material m = 0; m < 2; ++m)
     {
       EXPECT_NE(sum[m], 0);
@@ -245,7 +254,7 @@ TEST(TopologyDifferences, AreTheSameInAMeshThatHasChangedAsInANewOne)
   mmm::TopologyDifferenceFinder finder(lattice, partition, Exterior);
   Tetrahedra                    mesh(scene.image.grid, [](const Vector & x) { return x.norm() < Radius; });
   const auto                    expectSame = [&](std::size_t places) {
-    const auto again = finder.Find(mesh.points, mesh.mesh).places;
+    const auto again = finder.Find(mesh.points, mesh.mesh, mesh.Adjacency()).places;
     const auto anew = FindDifferences(*scene.indicators, mesh, 2).places;
     EXPECT_EQ(anew.size(), places);
     ASSERT_EQ(again.size(), anew.size());
@@ -368,8 +377,8 @@ TEST_P(ThinSheet, IsNoDifference)
   EXPECT_EQ(Sum(differences.betweenSamples), (Changes{ { 2, 1 } }));
 
   const auto & tetrahedra = scene.tetrahedra;
-  const auto   report =
-    mmm::TopologyComparison(scene.indicators, Exterior, 4).Compare(tetrahedra.points, tetrahedra.mesh);
+  const auto   report = mmm::TopologyComparison(scene.indicators, Exterior, 4)
+                        .Compare(tetrahedra.points, tetrahedra.mesh, tetrahedra.Adjacency());
   EXPECT_EQ(report.labels[2].mesh, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].partition, (mmm::BettiNumbers{ { 1, 0, 0 } }));
   EXPECT_EQ(report.labels[2].unexplained, 0);
@@ -437,7 +446,8 @@ TEST(TopologyComparison, IsCompleteWhereTheMeshIsFarOff)
         mesh.materials.push_back(all.mesh.materials[t]);
       }
     }
-    const auto report = mmm::TopologyComparison(*scene.indicators, exterior, 4).Compare(all.points, mesh);
+    const auto report = mmm::TopologyComparison(*scene.indicators, exterior, 4)
+                          .Compare(all.points, mesh, { mesh.tetrahedra, all.points.size() });
     for (const auto & label : report.labels)
     {
       EXPECT_EQ(label.unexplained, 0) << "exterior " << exterior << " label " << label.label;
@@ -461,7 +471,7 @@ TEST(TopologyComparison, ExplainsAPartThatTheMeshLacks)
 {
   const mmmtest::Scene scene(mmmtest::MakeBallMaterials(Size, Centre(), 2.0));
   // without a tetrahedron, the ball is missing
-  const auto report = mmm::TopologyComparison(*scene.indicators, 0, 4).Compare({}, mmm::TetrahedralMesh());
+  const auto report = mmm::TopologyComparison(*scene.indicators, 0, 4).Compare({}, mmm::TetrahedralMesh(), { {}, 0 });
   ASSERT_EQ(report.labels.size(), 1u);
   EXPECT_EQ(report.labels[0].label, 1);
   EXPECT_EQ(report.labels[0].mesh, (mmm::BettiNumbers{ { 0, 0, 0 } }));
