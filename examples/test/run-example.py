@@ -16,16 +16,19 @@
 #
 """Runs an example on the head phantom at 4 mm, or on spheres at 4 mm, and checks what it says and leaves.
 
-usage: run-example.py {surfaces,shells,head,spheres,cohort} FOLDER_OF_PROGRAMS
+usage: run-example.py {surfaces,shells,head,spheres,tdcs,cohort} FOLDER_OF_PROGRAMS
 """
 
 import csv
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
+
+import numpy as np
 
 examples = pathlib.Path(__file__).resolve().parents[1]
 
@@ -86,6 +89,34 @@ def spheres():
     check_pictures("out/spheres-potential.png")
 
 
+def tdcs():
+    """The brain's field is that of stimulation, and GetDP has the same potential at each node of the same mesh."""
+    text = run(sys.executable, examples / "tdcs/tdcs.py", "--spacing", "4")
+    fields = [float(field) for field in re.findall(r"^label [45]: field (\S+) V/m", text, re.M)]
+    assert len(fields) == 2 and all(0.05 < field < 2 for field in fields), fields
+    check_pictures("out/tdcs.png")
+    if not shutil.which("getdp"):
+        print("GetDP: left out, as there is no getdp")
+        assert os.environ.get("CI") != "true"
+        return
+    problem = pathlib.Path(shutil.copy(examples / "tdcs/stimulation.pro", "out"))
+    numbers = re.search(r"^getdp options: (.*)$", text, re.M)[1].split()
+    run("getdp", problem, "-msh", "out/tdcs.msh", *numbers, "-solve", "Stimulation", "-pos", "Potential")
+    ours = np.loadtxt("out/tdcs-potential.txt")
+    theirs = read_node_table("out/potential.txt", len(ours))
+    print(f"GetDP: potentials of 0 to 1 V differ by at most {np.abs(theirs - ours).max():.1e} V")
+    assert np.abs(theirs - ours).max() < 1e-6
+
+
+def read_node_table(name, count):
+    """Values by the numbers of nodes, which begin with 1; the first line has their count."""
+    table = np.loadtxt(name, skiprows=1)
+    assert set(table[:, 0]) == set(range(1, count + 1))
+    values = np.empty(count)
+    values[table[:, 0].astype(int) - 1] = table[:, -1]
+    return values
+
+
 def cohort():
     """Each image has a row in the table, and a second run finds nothing to do."""
     command = [sys.executable, "-m", "snakemake", "--snakefile", examples / "cohort/Snakefile", "--cores", "2"] + [
@@ -107,7 +138,8 @@ def main():
     os.environ["PATH"] = programs + os.pathsep + os.environ["PATH"]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        {"surfaces": surfaces, "shells": shells, "head": head, "spheres": spheres, "cohort": cohort}[example]()
+        checks = (surfaces, shells, head, spheres, tdcs, cohort)
+        {check.__name__: check for check in checks}[example]()
         os.chdir("/")
 
 
