@@ -20,7 +20,7 @@ usage: compare.py [--spacing MM] [--families F[,F...]] [--options TEXT]... [--fo
 
 Writes the label image, meshes it, solves for the potentials of currents at electrodes, and compares what dipoles give
 there, and the field in the brain, with the known solution. Prints a table, keeps the rows in FOLDER/rows.json, and draws
-error against unknowns of all that is kept there, in FOLDER/forward.png.
+error against unknowns of all that is kept there, in FOLDER/forward.svg.
 """
 
 import argparse
@@ -28,7 +28,6 @@ import json
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "examples" / "eeg"))
 
@@ -41,7 +40,7 @@ from solution import Conductor, monopoles
 
 BRAIN = 1
 FAMILIES = ("hexahedra", "shifted", "tetrahedra")
-OPTIONS = ("", "--max-size 6", "--max-size 4")
+OPTIONS = ("", "--max-size 4", "--max-size 3")
 CGAL_OPTIONS = ("--no-weights", "")
 
 
@@ -133,7 +132,7 @@ def main():
     parser.add_argument(
         "--options",
         action="append",
-        help="of multimaterial-mesh, as one text; may be repeated (default: none; --max-size 6; --max-size 4)",
+        help="of multimaterial-mesh, as one text; may be repeated (default: none; --max-size 4; --max-size 3)",
     )
     parser.add_argument("--folder", type=pathlib.Path, default="out", help="for the files (default: %(default)s)")
     parser.add_argument("--program", help="path of multimaterial-mesh, if it is not found")
@@ -154,7 +153,7 @@ def main():
         print(line(name, row), flush=True)
         rows[f"{arguments.spacing:g} mm {name}"] = row
         kept.write_text(json.dumps(rows, indent=1))
-    draw(json.loads(kept.read_text()), arguments.folder / "forward.png")
+    draw(json.loads(kept.read_text()), arguments.folder / "forward.svg")
 
 
 if __name__ == "__main__":

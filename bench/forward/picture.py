@@ -14,7 +14,14 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-"""Error against unknowns of the rows that compare.py keeps."""
+"""Error against unknowns of the rows that compare.py keeps.
+
+usage: picture.py ROWS.json PICTURE.svg
+"""
+
+import json
+import pathlib
+import sys
 
 import matplotlib
 
@@ -48,7 +55,13 @@ def draw(rows, picture):
                     axis.loglog(*zip(*points), marker + line, color=f"C{number}", label=f"{family}, {spacing} mm")
         axis.set_title(title, fontsize=10)
         axis.set_xlabel("nodes")
-        axis.grid(which="both", alpha=0.3)
+        axis.grid(alpha=0.3)
     axes[0].legend(fontsize=7)
-    figure.savefig(picture, dpi=110)
+    # text stays text, and the same rows give the same file
+    with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "forward"}):
+        figure.savefig(picture, metadata={"Date": None} if pathlib.Path(picture).suffix == ".svg" else None)
     plt.close(figure)
+
+
+if __name__ == "__main__":
+    draw(json.loads(pathlib.Path(sys.argv[1]).read_text()), sys.argv[2])

@@ -18,11 +18,11 @@
 the potential of a dipole at the electrodes, and the field between electrodes."""
 
 import numpy as np
-import pyamg
 import pyvista
 import scipy.sparse
 import skfem
 from meshes import CORNERS, number_of_corner
+from multigrid import Multigrid
 from skfem.helpers import dot, grad
 from skfem.refdom import RefHex
 
@@ -109,14 +109,7 @@ class Conductor:
         loads -= loads.mean(axis=1, keepdims=True)
         matrix = self.assemble()
         matrix[0, 0] *= 2.0  # ground at one node: no current goes there, and the solution is unique
-        solver = pyamg.smoothed_aggregation_solver(matrix, symmetry="symmetric")
-        potentials = np.empty_like(loads)
-        for electrode, load in enumerate(loads.T):
-            residuals = []
-            potentials[:, electrode] = solver.solve(load, tol=TOLERANCE, accel="cg", maxiter=200, residuals=residuals)
-            if residuals[-1] > 10 * TOLERANCE * np.linalg.norm(load):
-                raise RuntimeError("The solver did not converge.")
-        return potentials
+        return Multigrid(matrix).solve(loads, TOLERANCE)
 
     def smooth_gradient(self, label, nodal):
         """Gradients (axes, nodes, ...) at the nodes of a label: the mean of those of its cells there, by their volumes."""
