@@ -59,7 +59,9 @@ def draw(rows, picture):
     axes[0].legend(fontsize=7)
     # text stays text, and the same rows give the same file
     with plt.rc_context({"svg.fonttype": "none", "svg.hashsalt": "forward"}):
-        figure.savefig(picture, metadata={"Date": None} if pathlib.Path(picture).suffix == ".svg" else None)
+        figure.savefig(picture, format="svg", metadata={"Date": None})
+    lines = pathlib.Path(picture).read_text().splitlines()
+    pathlib.Path(picture).write_text("".join(line.rstrip() + "\n" for line in lines))
     plt.close(figure)
 
 
