@@ -155,6 +155,8 @@ struct LabelOptions
    * the smallest voxel spacing. */
   double       radius{ Automatic };
   TopologyMode topologyMode{ TopologyMode::Automatic };
+  /** Go on if a label of more than 1,000 voxels is in no mesh; smaller ones may be missing anyway. */
+  bool allowVanishedLabels{ false };
   /** Keep the indicator images and the sizing image. */
   bool keepIntermediates{ false };
 };

@@ -144,6 +144,12 @@ public:
     this->SetTopologyMode(mmm::ParseTopologyMode(text));
   }
 
+  /** Whether a label of more than 1,000 voxels may be missing in the mesh, see GetVanishedLabels(), as it is thinner
+   * than the smoothing or the edge lengths resolve; otherwise the filter throws an ExceptionObject. Default: false. */
+  itkSetMacro(AllowVanishedLabels, bool);
+  itkGetConstMacro(AllowVanishedLabels, bool);
+  itkBooleanMacro(AllowVanishedLabels);
+
   /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
   itkSetMacro(KeepIntermediates, bool);
   itkGetConstMacro(KeepIntermediates, bool);
@@ -245,6 +251,7 @@ private:
   SizeValueType     m_MinimumIslandSize{ 8 };
   double            m_Radius{ Superclass::Automatic };
   mmm::TopologyMode m_TopologyMode{ mmm::TopologyMode::Automatic };
+  bool              m_AllowVanishedLabels{ false };
   bool              m_KeepIntermediates{ false };
 
   mmm::LabelMeshingResults m_Results;

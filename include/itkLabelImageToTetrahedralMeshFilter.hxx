@@ -64,6 +64,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetInputs() const
   inputs.options.minimumIslandSize = m_MinimumIslandSize;
   inputs.options.radius = m_Radius;
   inputs.options.topologyMode = m_TopologyMode;
+  inputs.options.allowVanishedLabels = m_AllowVanishedLabels;
   inputs.options.keepIntermediates = m_KeepIntermediates;
   inputs.sizing = this->GetSizingInputs();
   inputs.meshing = this->GetMeshingOptions();
@@ -118,6 +119,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "MinimumIslandSize: " << m_MinimumIslandSize << std::endl;
   os << indent << "Radius: " << m_Radius << std::endl;
   os << indent << "TopologyMode: " << mmm::ToText(m_TopologyMode) << std::endl;
+  os << indent << "AllowVanishedLabels: " << (m_AllowVanishedLabels ? "On" : "Off") << std::endl;
   os << indent << "KeepIntermediates: " << (m_KeepIntermediates ? "On" : "Off") << std::endl;
   os << indent << "Labels: " << m_Results.labels << std::endl;
   os << indent << "MeshedRegion: " << m_Results.meshedRegion << std::endl;

@@ -143,6 +143,23 @@ FindVanished(const std::vector<int> & labels, const std::set<int> & meshed, cons
   return vanished;
 }
 
+/** Labels that vanish are to be small. */
+void
+VerifyVanished(const LabelCounts & vanished)
+{
+  constexpr std::size_t largest = 1000;
+  for (const auto & [label, voxels] : vanished)
+  {
+    if (voxels > largest)
+    {
+      itkGenericExceptionMacro(
+        "Label " << label << " (" << voxels
+                 << " voxels) would not be in the mesh: it is thinner than the smoothing radius "
+                    "or the edge lengths resolve. Make these smaller, or allow vanished labels.");
+    }
+  }
+}
+
 /** The outputs, with a note of the labels that they have. */
 MeshingOutputs
 NoteLabels(const MeshingOutputs & outputs, std::set<int> & meshed)
@@ -211,6 +228,10 @@ public:
     }
     meshed.insert(m_State.outsideLabel);
     m_Results.vanishedLabels = FindVanished(m_Results.labels, meshed, m_Counts);
+    if (!m_Inputs.options.allowVanishedLabels)
+    {
+      VerifyVanished(m_Results.vanishedLabels);
+    }
 
     if (m_Inputs.options.keepIntermediates)
     {

@@ -425,6 +425,30 @@ TEST(LabelImageToTetrahedralMeshFilter, ReportsVanishedLabels)
   }
 }
 
+TEST(LabelImageToTetrahedralMeshFilter, RefusesToLoseALargeLabel)
+{
+  // a layer of a voxel between two balls, smoothed with edges that are far too long for it
+  const auto image = mmmtest::MakeImage<LabelImage>(40, 40, 40, [](int i, int j, int k) {
+    const double radius = std::sqrt(std::pow(i - 19.5, 2) + std::pow(j - 19.5, 2) + std::pow(k - 19.5, 2));
+    return radius < 12.0 ? 1 : radius < 12.8 ? 5 : radius < 17.0 ? 2 : 0;
+  });
+  const auto filter = MakeFilter(image);
+  filter->SetMinimumSize(15.0);
+  filter->SetRadius(2.0);
+  try
+  {
+    filter->Update();
+    ADD_FAILURE() << "no exception";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("Label 5 ("), std::string::npos) << error;
+  }
+  filter->AllowVanishedLabelsOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetVanishedLabels().count(5), 1u);
+}
+
 TEST(LabelImageToTetrahedralMeshFilter, HonorsTheSizingImage)
 {
   const auto image = mmmtest::MakeBall<LabelImage>(20, 6.0);

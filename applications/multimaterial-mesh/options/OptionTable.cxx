@@ -91,7 +91,9 @@ MakeTable()
       "Fill the exterior up to a box that goes this far beyond what else is meshed." },
     { "min-island", PARAMETER(minIsland, MinimumIslandSize), Kind::Integer, "N", "voxels", NonNegative, "",
       "Islands of fewer voxels go to the label that they touch most. A label's largest part always stays; 0 keeps "
-      "everything." } } },
+      "everything." },
+    { "allow-vanished", PARAMETER(allowVanished, AllowVanishedLabels), Kind::Flag, "", "", AnyValue, "",
+      "Write a mesh even if a label of more than 1,000 voxels is not in it, as it is too thin." } } },
 
     { "Output", "What is written", {
     { "OUTPUT", &S::output, Kind::Mesh, "", "", AnyValue, "",

@@ -58,6 +58,7 @@ struct Settings
   bool                  fillExterior{ false };
   std::optional<double> airMargin;
   std::uint64_t         minIsland{ 8 };
+  bool                  allowVanished{ false };
 
   std::string       surface;
   std::string       particles;

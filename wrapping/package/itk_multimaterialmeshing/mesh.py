@@ -172,14 +172,15 @@ def multimaterial_mesh(
     chord_tolerance : how far an edge may be from the curved interface that it stands for, positive. Default: 0.1 s.
     gradient_limit : how fast the edge length may grow with distance, positive. Default: 0.5.
     minimum_size : the smallest edge length to ask for, positive. Default: s.
-    maximum_size : the largest edge length to ask for, positive. Default: no limit.
+    maximum_size : the largest edge length to ask for, positive. Default: a 25th of the cube root of the volume that is
+        meshed, at least 3 s; none with a sizing image.
     maximum_volume : that no tetrahedron is to exceed, mm^3, positive. Default: no limit.
     label_sizes : by label, the "max" of the edge length, or a dictionary with some of "factor" (on the edge length at
         the label's interfaces), "min" and "max"; for instance {3: {"factor": 0.5, "max": 2}, 7: 1.5}. Default: none.
     seed : another one gives another mesh of the same kind, at least 0. Default: 1.
     surface_only : leave out the interior, in about half the time: there are no tetrahedra. Default: False.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
-        for instance accept_intensities=True, compare_topology=True, maximum_memory=8.0 (GB),
+        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, maximum_memory=8.0 (GB),
         maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with region_maximum_size=1.0.
 
     Raises
