@@ -50,7 +50,9 @@ def test_templates_and_classes_have_docstrings(name):
     assert "\\" not in template.__doc__ and "/**" not in template.__doc__
 
 
-@pytest.mark.parametrize("name", ["LabelMeshFileWriter", "LabelSurfaceMeshFilter", "VolumeFileReader"])
+@pytest.mark.parametrize(
+    "name", ["LabelHullMeshFilter", "LabelMeshFileWriter", "LabelSurfaceMeshFilter", "VolumeFileReader"]
+)
 def test_classes_have_docstrings(name):
     assert re.match(r"[A-Z]\w+ .*\.\n", inspect.getdoc(getattr(itk, name)))
 
