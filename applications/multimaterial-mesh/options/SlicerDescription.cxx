@@ -52,6 +52,9 @@ Label(const Option & option)
   return label + (option.unit.empty() ? "" : " (" + option.unit + ")");
 }
 
+/** Puts results beside the label image in Slicer's hierarchy of data. */
+const std::string reference = " reference=\"LABELS\"";
+
 /** The element's name and its attributes.
  *
  * Slicer passes every number, even one without value, but no empty text: a number that may be left out is a text. */
@@ -71,8 +74,10 @@ Element(const Option & option, std::string & attributes)
       attributes = " type=\"label\"";
       return "image";
     case Kind::ScalarImage:
-    case Kind::OutputImage:
       attributes = " type=\"scalar\"";
+      return "image";
+    case Kind::OutputImage:
+      attributes = " type=\"scalar\"" + reference;
       return "image";
     case Kind::Choice:
       return "string-enumeration";
@@ -80,7 +85,7 @@ Element(const Option & option, std::string & attributes)
     case Kind::Surface:
     case Kind::Particles:
     case Kind::Junctions:
-      attributes = " type=\"model\" fileExtensions=\".vtu\"";
+      attributes = " type=\"model\" fileExtensions=\".vtu\"" + reference;
       return "geometry";
     case Kind::Report:
       attributes = " fileExtensions=\".json\"";

@@ -205,6 +205,24 @@ TEST_F(SlicerModule, TakesALabelMapAndGivesAModel)
   EXPECT_EQ(output.at("index"), "1");
 }
 
+TEST_F(SlicerModule, ResultsAreBesideTheLabelMap)
+{
+  // Slicer puts what an output refers to, and the output, under the same item of its hierarchy.
+  std::set<std::string> results;
+  for (const auto & parameter : Describe().parameters)
+  {
+    const bool isNode = parameter.at("element") == "geometry" || parameter.at("element") == "image";
+    const bool isResult = isNode && parameter.at("channel") == "output";
+    EXPECT_EQ(parameter.count("reference") == 1, isResult) << parameter.at("name");
+    if (isResult)
+    {
+      results.insert(parameter.at("name"));
+      EXPECT_EQ(parameter.at("reference"), Find("LABELS").at("name"));
+    }
+  }
+  EXPECT_EQ(results, (std::set<std::string>{ "OUTPUT", "surface", "particles", "junctions", "save_sizing" }));
+}
+
 TEST_F(SlicerModule, NumbersThatCanBeLeftOutAreTexts)
 {
   // Slicer passes all numbers, and texts only if they are not empty.

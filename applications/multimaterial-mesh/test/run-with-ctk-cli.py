@@ -79,7 +79,9 @@ def main(program):
     complaints = Complaints()
     logging.getLogger("ctk_cli").addHandler(complaints)
     module = ctk_cli.CLIModule(program)
-    assert not complaints.texts, complaints.texts
+    # Slicer's own parser knows this attribute of images and models
+    texts = [text for text in complaints.texts if not re.match("'reference' attribute of '(geometry|image)' ", text)]
+    assert not texts, texts
     assert [group.label for group in module] == ["Input", "Output", "Smoothing", "Sizing", "Quality", "Advanced"]
     assert [group.advanced for group in module] == [False, False, False, False, False, True]
 
