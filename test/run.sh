@@ -22,9 +22,10 @@ set -euo pipefail
 
 project=$(cd "$(dirname "$0")/.." && pwd)
 export BUILD_DIR=${BUILD_DIR:-$project/build}
-# the libraries are for the packages of Gmsh and VTK; CalculiX, FreeFEM and GetDP read meshes
+# the libraries are for the packages of Gmsh and VTK; CalculiX, FreeFEM and GetDP read meshes; Slurm runs a cohort
 "$project/scripts/apt-install.sh" \
-  calculix-ccx freefem++ getdp libglu1-mesa libgomp1 libgtest-dev libxcursor1 libxft2 libxinerama1 python3-venv
+  calculix-ccx freefem++ getdp libglu1-mesa libgomp1 libgtest-dev libxcursor1 libxft2 libxinerama1 munge python3-venv \
+  slurm-wlm
 clients=$BUILD_DIR/clients
 python3 -m venv "$clients"
 if ! "$clients/bin/pip" install --quiet --disable-pip-version-check --requirement "$project/test/clients.txt"; then

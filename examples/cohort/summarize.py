@@ -18,6 +18,7 @@
 
 import json
 import pathlib
+import sys
 
 import matplotlib
 import numpy as np
@@ -25,43 +26,8 @@ import numpy as np
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  it asks for a screen otherwise
 
-COLUMNS = (
-    "subject",
-    "labels",
-    "voxels_merged",
-    "labels_vanished",
-    "points",
-    "tetrahedra",
-    "smallest_angle_deg",
-    "largest_angle_deg",
-    "tetrahedra_below_10_deg",
-    "mean_radius_ratio",
-    "open_edges",
-    "volume_ml",
-    "seconds",
-    "memory_mb",
-)
-
-
-def summarize(file):
-    report = json.loads(pathlib.Path(file).read_text())
-    quality = report["quality"]["overall"]
-    return (
-        pathlib.Path(file).stem,
-        len(report["quality"]["labels"]),
-        sum(island["voxels"] for island in report["islands_merged"]),
-        len(report["vanished_labels"]),
-        report["counts"]["points"],
-        report["counts"]["tetrahedra"],
-        round(quality["smallest_dihedral_angle_deg"]["minimum"], 2),
-        round(quality["largest_dihedral_angle_deg"], 2),
-        quality["tetrahedra_below_deg"]["10"],
-        round(quality["radius_ratio"]["average"], 4),
-        report["quality"]["open_edges"],
-        round(quality["volume_mm3"] / 1000.0, 1),
-        round(sum(stage["seconds"] for stage in report["stages"]), 1),
-        round(max(stage["peak_memory_mb"] or 0.0 for stage in report["stages"])),
-    )
+sys.path.insert(0, snakemake.scriptdir)  # noqa: F821  snakemake defines it
+from table import write_table  # noqa: E402
 
 
 def draw(files, picture):
@@ -82,10 +48,8 @@ def draw(files, picture):
 
 
 def main():
-    rows = [COLUMNS] + [summarize(file) for file in snakemake.input]  # noqa: F821  snakemake defines it
-    pathlib.Path(snakemake.output.table).write_text(  # noqa: F821
-        "".join("\t".join(str(value) for value in row) + "\n" for row in rows)
-    )
+    subjects = [pathlib.Path(file).stem for file in snakemake.input]  # noqa: F821
+    write_table(snakemake.output.table, snakemake.params.folder, subjects)  # noqa: F821
     draw(snakemake.input, snakemake.output.picture)  # noqa: F821
 
 
