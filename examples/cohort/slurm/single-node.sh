@@ -20,6 +20,8 @@
 # Runs a command on a Slurm of its own, of this machine alone: installs Debian's slurm-wlm where that is missing, starts its
 # programs on the loopback address with all they write in FOLDER, and stops them when the command has ended. To try
 # things, not to work: there is no accounting, and all runs as root.
+#
+#   SINGLE_NODE_PORT   the first of two ports to listen on; default: 26817
 set -euo pipefail
 
 fail() {
@@ -36,7 +38,7 @@ shift
 "$(dirname "$0")/../../../scripts/apt-install.sh" munge slurm-wlm
 
 memory=$(awk '/^MemTotal/ { print int($2 / 1024) }' /proc/meminfo)
-port=${SLURM_TEST_PORT:-26817}
+port=${SINGLE_NODE_PORT:-26817}
 mkdir -p "$folder/state" "$folder/spool"
 chmod 755 "$folder"
 export SLURM_CONF=$folder/slurm.conf
@@ -73,7 +75,7 @@ EOF
 
 # where programs look that are without SLURM_CONF, such as those that Snakemake starts within a job
 mkdir -p /run/slurm
-ln -s "$folder" /run/slurm/conf
+ln -sfn "$folder" /run/slurm/conf
 processes=()
 stop() {
   rm -f /run/slurm/conf
