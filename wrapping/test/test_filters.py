@@ -269,6 +269,7 @@ def test_sizing_image_replaces(spheres, meshed):
 
 SETTINGS = {
     "air_margin": 2.0,
+    "allow_vanished_labels": True,
     "chord_tolerance": 0.3,
     "epsilon": 2.0,
     "exterior_labels": (0, 2),
