@@ -39,7 +39,9 @@ namespace itk
  * components of fewer than MinimumIslandSize voxels go to the label that most of their voxels' faces touch, the lowest
  * label if there are several. All are decided on the image as it was before, at once. A label's largest component
  * always stays, so that no label gets lost; of components of the same size it is the first in the order of the buffer.
- * What was merged is in GetRecords().
+ * So do threads: small components that touch in edges and corners, are MinimumIslandSize voxels long together, and have
+ * at most two voxels for each of their length; and, of a label that would lose more than a twentieth of its voxels, all
+ * that are so long or link larger parts. What was merged is in GetRecords().
  *
  * The labels are whole numbers in the range of `int`, else Update() throws an ExceptionObject. The whole image is
  * processed at once, on one thread.
