@@ -25,9 +25,9 @@ namespace mmm
 /** \brief Takes the mark of an island from the parts of threads: of what is one voxel thin, and whose voxels meet
  * across edges and corners.
  *
- * Islands of a label that touch each other, in whatever way, belong together. They are a thread if they are `minimumSize`
- * voxels long, and thin. Of a label that is mostly thin, as it would lose more than a twentieth of its voxels, they stay
- * as well where they are long and not thin, or link larger parts. */
+ * Islands of a label that touch each other, in whatever way, belong together. They are a thread if they are
+ * `minimumSize` voxels long, and thin. Of a label that is mostly thin, as it would lose more than a twentieth of its
+ * voxels, they stay as well where they are long and not thin, or link larger parts. */
 void
 KeepThreads(const Index &                       size,
             const std::uint32_t *               numbers,
