@@ -155,7 +155,8 @@ VerifyVanished(const LabelCounts & vanished)
       itkGenericExceptionMacro(
         "Label " << label << " (" << voxels
                  << " voxels) would not be in the mesh: it is thinner than the smoothing radius "
-                    "or the edge lengths resolve. Make these smaller, or allow vanished labels.");
+                    "or the edge lengths resolve. Make these smaller, or set AllowVanishedLabels "
+                    "(--allow-vanished).");
     }
   }
 }
