@@ -153,8 +153,9 @@ FillSpace(const std::vector<Vector> & points)
   return eigenvalues[0] > Flatness * eigenvalues[2];
 }
 
-/** TetGen's tetrahedra, each turned to positive orientation: its own varies. They are sorted by their smallest corners,
- * so that points that are sorted in space make tetrahedra that are sorted in space. */
+/** TetGen's tetrahedra, each turned to positive orientation: its own varies. The orientation is exact, as that of its
+ * own flips is: by a volume that is rounded, flat tetrahedra might be turned against their neighbours. They are sorted
+ * by their smallest corners, so that points that are sorted in space make tetrahedra that are sorted in space. */
 std::vector<Tetrahedron>
 OrientedTetrahedra(const tetgenio & out)
 {
@@ -171,14 +172,14 @@ OrientedTetrahedra(const tetgenio & out)
     for (auto t = order.Begin(p); t != order.End(p); ++t)
     {
       Tetrahedron tetrahedron;
-      Vector      x[4];
+      double *    x[4];
       for (int c = 0; c < 4; ++c)
       {
         const int corner = out.tetrahedronlist[4 * std::size_t(*t) + c];
         tetrahedron[c] = PointId(corner);
-        std::copy_n(out.pointlist + std::size_t(3) * corner, 3, x[c].data());
+        x[c] = out.pointlist + std::size_t(3) * corner;
       }
-      if (TetrahedronVolume(x[0], x[1], x[2], x[3]) < 0.0)
+      if (orient3d(x[0], x[1], x[2], x[3]) > 0.0) // the last one is below the others
       {
         std::swap(tetrahedron[2], tetrahedron[3]);
       }
