@@ -37,6 +37,15 @@ def find_program(name, program=None):
     return program or shutil.which(name) or str(built)
 
 
+def labels_or_phantom(labels, folder, spacing="2"):
+    """The label image that was given, or a synthetic head of such voxels, in mm."""
+    if labels:
+        return labels
+    phantom = folder / "head.nrrd"
+    subprocess.run([find_program("make-head-phantom"), str(phantom), spacing], check=True)
+    return phantom
+
+
 def mesh_images(program, images, output, *options):
     """Runs multimaterial-mesh."""
     subprocess.run([program, *map(str, images), str(output), *options], check=True)

@@ -24,11 +24,10 @@ six-tissue head models: 1 scalp, 2 skull, 3 cerebrospinal fluid, 4 gray matter, 
 
 import argparse
 import pathlib
-import subprocess
 
 import numpy as np
 import pyvista
-from forward import find_program, mesh_images, skin_of, solve
+from forward import find_program, labels_or_phantom, mesh_images, skin_of, solve
 from scipy.spatial import cKDTree
 
 CONDUCTIVITIES = {1: 0.43, 2: 0.01, 3: 1.79, 4: 0.33, 5: 0.14}  # S/m
@@ -89,11 +88,8 @@ def main():
 
     folder = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
-    labels = arguments.labels
     program = find_program("multimaterial-mesh", arguments.program)
-    if not labels:
-        labels = folder / "head.nrrd"
-        subprocess.run([find_program("make-head-phantom"), str(labels), "2"], check=True)
+    labels = labels_or_phantom(arguments.labels, folder)
     grid = mesh_images(program, [labels], folder / "head-eeg.vtu", "--exterior", "0,6")
     position, direction = choose_dipole(grid)
     grid["potential"] = 1e6 * solve(grid, CONDUCTIVITIES, position, MOMENT * direction)

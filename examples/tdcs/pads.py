@@ -29,22 +29,27 @@ LEAST_VOXELS = 1.5  # of thickness, that pads have no holes
 PLACES = {ANODE: (0.6, 0.1, 0.8), CATHODE: (-0.45, -0.85, 0.3)}
 
 
+def fields_of(lines):
+    """The fields of an NRRD header."""
+    return dict(line.split(": ", 1) for line in lines if ": " in line and line[0] != "#")
+
+
+def steps_of(fields):
+    """From voxel to voxel, a row for each axis, in mm."""
+    return np.array([vector.strip("()").split(",") for vector in fields["space directions"].split()], float)
+
+
 def read_image(name):
     """The array of [z, y, x], and the NRRD header without its encoding."""
     header, data = pathlib.Path(name).read_bytes().split(b"\n\n", 1)
     lines = header.decode().splitlines()
-    fields = dict(line.split(": ", 1) for line in lines if ": " in line and line[0] != "#")
+    fields = fields_of(lines)
     if fields["type"] not in ("uchar", "unsigned char", "uint8"):
         raise SystemExit(f"{name}: labels have to be of the type unsigned char, but are {fields['type']}.")
     data = gzip.decompress(data) if fields["encoding"] in ("gzip", "gz") else data
     shape = [int(size) for size in fields["sizes"].split()][::-1]
     kept = [line for line in lines if not line.startswith("encoding:")]
-    return np.frombuffer(data, np.uint8).reshape(shape), kept, spacing_of(fields)
-
-
-def spacing_of(fields):
-    steps = [vector.strip("()").split(",") for vector in fields["space directions"].split()]
-    return np.linalg.norm(np.array(steps, float), axis=1)
+    return np.frombuffer(data, np.uint8).reshape(shape), kept, np.linalg.norm(steps_of(fields), axis=1)
 
 
 def write_image(name, labels, header):
@@ -74,9 +79,8 @@ def paint_pads(labels, header, spacing):
 
 def resize(header, shape, pad):
     """The header of an image that has `pad` more voxels on each side."""
-    fields = dict(line.split(": ", 1) for line in header if ": " in line and line[0] != "#")
-    steps = np.array([v.strip("()").split(",") for v in fields["space directions"].split()], float)
-    origin = np.array(fields["space origin"].strip("()").split(","), float) - pad * steps.sum(axis=0)
+    fields = fields_of(header)
+    origin = np.array(fields["space origin"].strip("()").split(","), float) - pad * steps_of(fields).sum(axis=0)
     fields["sizes"] = " ".join(map(str, shape[::-1]))
     fields["space origin"] = "(" + ",".join(map(str, origin)) + ")"
     return [header[0], *(f"{name}: {value}" for name, value in fields.items())]

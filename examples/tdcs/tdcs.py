@@ -36,7 +36,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "eeg"))
 import numpy as np
 import pyvista
 import skfem
-from forward import find_program
+from forward import find_program, labels_or_phantom
 from pads import ANODE, CATHODE, paint_pads, read_image, write_image
 from scipy.sparse.linalg import LinearOperator, cg
 from skfem.helpers import dot, grad
@@ -114,10 +114,7 @@ def main():
 
     folder = arguments.folder
     folder.mkdir(parents=True, exist_ok=True)
-    labels = arguments.labels
-    if not labels:
-        labels = folder / "head.nrrd"
-        subprocess.run([find_program("make-head-phantom"), str(labels), arguments.spacing], check=True)
+    labels = labels_or_phantom(arguments.labels, folder, arguments.spacing)
     write_image(folder / "pads.nrrd", *paint_pads(*read_image(labels)))
     program = find_program("multimaterial-mesh", arguments.program)
     common = [program, str(folder / "pads.nrrd"), str(folder / "tdcs.msh"), "--exterior", "0,6", "--quiet"]
