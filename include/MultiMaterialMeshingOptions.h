@@ -113,6 +113,11 @@ struct MeshingOptions
   /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
    * region, see MeshingReport::topology. */
   bool compareTopology{ false };
+  /** How many tetrahedra the mesh is to have, within 5 %; 0 leaves it to the sizes. Where more are wanted, all edge
+   * lengths are shortened alike. Where fewer are wanted, the mesh is coarsened: the shortest edges, by what is asked for
+   * there, are pulled together as long as the labels' connections, their interfaces and the shape of tetrahedra allow
+   * it; if they do not, there are more, which is a warning. */
+  std::size_t numberOfTetrahedra{ 0 };
   /** Meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive, are
    * refused. */
   std::size_t maximumNumberOfTetrahedra{ std::numeric_limits<std::size_t>::max() };

@@ -66,6 +66,13 @@ public:
   itkGetConstMacro(SurfaceOnly, bool);
   itkBooleanMacro(SurfaceOnly);
 
+  /** How many tetrahedra the mesh is to have, within 5 %; 0, the default, leaves it to the sizes. Where more are
+   * wanted, all edge lengths are shortened alike. Where fewer are wanted, the shortest edges, by what is asked for
+   * there, are pulled together, as long as the labels' connections, their interfaces and the shape of tetrahedra allow
+   * it; if they do not, there are more, which is a warning. Not with SurfaceOnly. */
+  itkSetMacro(NumberOfTetrahedra, SizeValueType);
+  itkGetConstMacro(NumberOfTetrahedra, SizeValueType);
+
   /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
    * region, see MeshingReport::topology. Default: false. */
   itkSetMacro(CompareTopology, bool);
@@ -153,6 +160,7 @@ protected:
 private:
   std::uint64_t m_Seed{ 1 };
   bool          m_SurfaceOnly{ false };
+  SizeValueType m_NumberOfTetrahedra{ 0 };
   bool          m_CompareTopology{ false };
   SizeValueType m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
   double        m_MaximumMemory{ std::numeric_limits<double>::infinity() };

@@ -98,6 +98,7 @@ MeshingFilter<TSuperclass>::GetMeshingOptions() const
   mmm::MeshingOptions options;
   options.seed = m_Seed;
   options.surfaceOnly = m_SurfaceOnly;
+  options.numberOfTetrahedra = m_NumberOfTetrahedra;
   options.compareTopology = m_CompareTopology;
   options.maximumNumberOfTetrahedra = m_MaximumNumberOfTetrahedra;
   options.maximumMemory = m_MaximumMemory;
@@ -133,6 +134,7 @@ MeshingFilter<TSuperclass>::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfTetrahedra: " << m_NumberOfTetrahedra << std::endl;
   os << indent << "CompareTopology: " << (m_CompareTopology ? "On" : "Off") << std::endl;
   os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;

@@ -70,6 +70,55 @@ VerifyEstimate(const MeshEstimator &  estimator,
   itkGenericExceptionMacro(<< words.str());
 }
 
+/** \brief A number of tetrahedra that is asked for: sizes are scaled so that the mesh has a few more, and coarsening
+ * takes what is too much. */
+struct WantedNumber
+{
+  /** An estimate is hardly ever this far off; where it is, the sizes are scaled again. */
+  static constexpr double Surplus = 1.1;
+  static constexpr double Tolerance = 0.05;
+  static constexpr int    Attempts = 3;
+
+  std::size_t number;
+
+  /** For sizes, at most 1. */
+  double
+  FirstFactor(const MeshEstimator & estimator) const
+  {
+    return number > 0 ? estimator.FactorFor(Surplus * double(number)) : 1.0;
+  }
+  bool
+  IsMissed(std::size_t count) const
+  {
+    return double(count) < (1.0 - Tolerance) * double(number);
+  }
+  /** By which sizes that gave `count` have to shrink further. */
+  double
+  NextFactor(std::size_t count) const
+  {
+    return std::cbrt(double(count) / (Surplus * double(number)));
+  }
+  bool
+  IsExceeded(std::size_t count) const
+  {
+    return number > 0 && double(count) > (1.0 + Tolerance) * double(number);
+  }
+};
+
+/** What there will be after coarsening. */
+MeshEstimate
+Coarsened(MeshEstimate estimate, std::size_t number)
+{
+  if (number > 0 && estimate.tetrahedra > double(number))
+  {
+    const double share = double(number) / estimate.tetrahedra;
+    estimate.tetrahedra *= share;
+    estimate.points *= share;
+    estimate.triangles *= std::cbrt(share * share);
+  }
+  return estimate;
+}
+
 MeshingParameters
 ParametersOf(const MeshingInputs & inputs)
 {
@@ -77,6 +126,7 @@ ParametersOf(const MeshingInputs & inputs)
   parameters.exterior = inputs.indicators.exterior;
   parameters.seed = inputs.options.seed;
   parameters.surfaceOnly = inputs.options.surfaceOnly;
+  parameters.numberOfTetrahedra = inputs.options.numberOfTetrahedra;
   parameters.keepTopology = inputs.keepTopology;
   parameters.compareTopology = inputs.options.compareTopology;
   return parameters;
@@ -146,16 +196,22 @@ MeshIndicators(const MeshingInputs &         inputs,
   monitor.BeginStage("preparation");
   const int             exterior = inputs.indicators.exterior;
   const IndicatorImages images(inputs.indicators.images);
-  const auto            sizes = ReadSizingImage(inputs.sizing, images.GetGeometry());
+  auto                  sizes = ReadSizingImage(inputs.sizing, images.GetGeometry());
   const IndicatorSet    indicators = images.MakeIndicatorSet();
   releaseInputs();
-  const SizingField  sizing(indicators.GetGrid(), sizes.data());
   const GridGeometry outputGeometry = inputs.reference
                                         ? GridGeometry(inputs.reference, inputs.reference->GetLargestPossibleRegion())
                                         : images.GetGeometry();
 
-  const MeshEstimator estimator(indicators, exterior, sizing, inputs.options.surfaceOnly);
-  state.report.estimate = estimator.Estimate();
+  const MeshEstimator estimator(
+    indicators, exterior, SizingField(indicators.GetGrid(), sizes.data()), inputs.options.surfaceOnly);
+  const WantedNumber wanted{ inputs.options.numberOfTetrahedra };
+  const auto         scale = [&sizes](double by) {
+    std::for_each(sizes.begin(), sizes.end(), [by](float & size) { size = float(by * size); });
+  };
+  const double factor = wanted.FirstFactor(estimator);
+  scale(factor);
+  state.report.estimate = Coarsened(estimator.Estimate(0.0, factor), wanted.number);
   VerifyEstimate(estimator, state.report.estimate, inputs.options, outputGeometry.GetUnit());
 
   MeshingResult result;
@@ -169,7 +225,19 @@ MeshIndicators(const MeshingInputs &         inputs,
   };
   try
   {
-    BuildMesh(indicators, sizing, ParametersOf(inputs), monitor, result);
+    for (int attempt = 1;; ++attempt)
+    {
+      const SizingField sizing(indicators.GetGrid(), sizes.data());
+      BuildMesh(indicators, sizing, ParametersOf(inputs), monitor, result);
+      const std::size_t count = result.tetrahedra.tetrahedra.size();
+      if (attempt == WantedNumber::Attempts || !wanted.IsMissed(count))
+      {
+        break;
+      }
+      scale(wanted.NextFactor(count));
+      result = MeshingResult();
+      result.report.estimate = state.report.estimate;
+    }
     monitor.BeginStage("output");
   }
   catch (...)
@@ -177,6 +245,14 @@ MeshIndicators(const MeshingInputs &         inputs,
     // for those who want to see where it failed
     tell();
     throw;
+  }
+  const std::size_t count = result.tetrahedra.tetrahedra.size();
+  if (wanted.IsExceeded(count))
+  {
+    result.report.warnings.push_back(std::to_string(wanted.number) + " tetrahedra were asked for. The mesh has " +
+                                     std::to_string(count) +
+                                     ": with fewer, tetrahedra would be flatter, or labels be connected otherwise. "
+                                     "Fewer labels or larger voxels would help.");
   }
   tell();
   if (!inputs.options.surfaceOnly)
@@ -207,6 +283,7 @@ MeshIndicators(itk::ProcessObject *          filter,
               { "relaxation of the interior", 0.09 },
               { "constrained tetrahedralization", 0.08 },
               { "optimization", 0.33 },
+              { "coarsening", 0.0 },
               { "fit of the interfaces", 0.06 },
               { "output", 0.01 } },
             [&](FilterMonitor & monitor) { MeshIndicators(inputs, releaseInputs, outputs, state, monitor); });

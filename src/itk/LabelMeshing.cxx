@@ -337,8 +337,7 @@ DescribeError(const LabelMeshingInputs & inputs)
   }
   else
   {
-    const std::string error = DescribeError(inputs.meshing);
-    words << (error.empty() ? DescribeError(inputs.sizing) : error);
+    words << DescribeError(inputs.meshing, inputs.sizing);
   }
   return words.str();
 }

@@ -68,6 +68,10 @@ DescribeError(const MeshingOptions & options)
   {
     words << "The largest memory is " << options.maximumMemory << " GB. It must be positive.";
   }
+  else if (options.numberOfTetrahedra > 0 && options.surfaceOnly)
+  {
+    words << options.numberOfTetrahedra << " tetrahedra are asked for, and the surface only. Leave out one of them.";
+  }
   return words.str();
 }
 
@@ -121,6 +125,20 @@ DescribeError(const SizingInputs & sizing)
     return words.str();
   }
   return DescribeRuleErrors(options, sizing.region.IsNotNull());
+}
+
+std::string
+DescribeError(const MeshingOptions & meshing, const SizingInputs & sizing)
+{
+  const std::string error = DescribeError(meshing);
+  if (error.empty() && meshing.numberOfTetrahedra > 0 && std::isfinite(sizing.options.maximumVolume))
+  {
+    std::ostringstream words;
+    words << meshing.numberOfTetrahedra << " tetrahedra are asked for, and none above " << sizing.options.maximumVolume
+          << " mm^3. Leave out one of them.";
+    return words.str();
+  }
+  return error.empty() ? DescribeError(sizing) : error;
 }
 
 SizeRule

@@ -33,6 +33,9 @@ std::string
 DescribeError(const SizingInputs & sizing);
 std::string
 DescribeError(const MeshingOptions & options);
+/** Of both, or what they contradict each other in. */
+std::string
+DescribeError(const MeshingOptions & meshing, const SizingInputs & sizing);
 
 /** Rules in the grid's unit. */
 SizeRule

@@ -77,6 +77,13 @@ EdgeCollapser::FindForTriangles(Id                           t,
   return false;
 }
 
+bool
+EdgeCollapser::FindForEdge(Id t, PointId u, PointId v, double radiusRatio, double quality, ComplexChange & change)
+{
+  return this->LookAround(u) && this->MayCollapse(t, u, v, radiusRatio) &&
+         this->CollapseStar(t, u, v, std::min(quality, m_State.WorstOf(m_Star)), change);
+}
+
 /** Finds what is around u. Returns false where that is too much for u to go anywhere. */
 bool
 EdgeCollapser::LookAround(PointId u)

@@ -44,6 +44,10 @@ public:
                    double                       radiusRatio,
                    double                       quality,
                    ComplexChange &              change);
+  /** Whether corner u of a tetrahedron may be pulled into corner v, so that new tetrahedra are better than `quality`
+   * and new triangles of interfaces have radius ratios of `radiusRatio`, or as they are if that is less. */
+  bool
+  FindForEdge(OptimizerState::Id t, PointId u, PointId v, double radiusRatio, double quality, ComplexChange & change);
 
 private:
   /** A triangle of an interface at some point, by its other corners, and the materials beside it. */

@@ -26,6 +26,7 @@
 #include "mesh/Renumber.h"
 #include "optimize/IndicatorConstraint.h"
 #include "optimize/InterfaceFit.h"
+#include "optimize/MeshCoarsening.h"
 #include "particles/InteriorParticles.h"
 #include "particles/SpatialOrder.h"
 #include "surface/Sampling.h"
@@ -262,6 +263,19 @@ BuildMesh(const IndicatorSet &      indicators,
   const OptimizationParameters optimization =
     parameters.surfaceOnly ? ForSurface(parameters.optimization) : parameters.optimization;
   report.optimization = OptimizeMesh(constraint, exterior, optimization, result.points, complex, monitor);
+  if (parameters.numberOfTetrahedra > 0)
+  {
+    monitor.BeginStage("coarsening");
+    CoarsenMesh(constraint,
+                exterior,
+                optimization,
+                wantedSizing,
+                parameters.numberOfTetrahedra,
+                result.points,
+                complex,
+                report.optimization,
+                monitor);
+  }
   std::copy_n(result.points.begin(), particles.Size(), particles.positions.begin());
   result.tetrahedra = complex.GetMesh();
   assert(ArePositive(result.points, result.tetrahedra.tetrahedra));

@@ -32,6 +32,8 @@ struct MeshingParameters : SurfaceParameters
   OptimizationParameters optimization;
   /** Leave only the surface: no particles of the interior, no tetrahedra in the end. */
   bool surfaceOnly{ false };
+  /** If the mesh has more tetrahedra, it is coarsened until it has so many; 0 is no limit. */
+  std::size_t numberOfTetrahedra{ 0 };
 };
 
 /** Points, and the places of the report, are in the frame of Grid, and labels of the report are numbers of materials;

@@ -226,13 +226,13 @@ MeshEstimator::MeshEstimator(const IndicatorSet & indicators,
 }
 
 MeshEstimate
-MeshEstimator::Estimate(double smallestSize) const
+MeshEstimator::Estimate(double smallestSize, double factor) const
 {
   double area = 0.0;
   double volume = 0.0;
   for (int s = 0; s < SizeBins; ++s)
   {
-    const double wanted = std::max(SmallestBin * std::pow(2.0, (s + 0.5) / BinsPerOctave), smallestSize);
+    const double wanted = std::max(factor * SmallestBin * std::pow(2.0, (s + 0.5) / BinsPerOctave), smallestSize);
     for (int t = 0; t < ThicknessBins; ++t)
     {
       const Bin &  bin = m_Bins[s * ThicknessBins + t];
@@ -253,6 +253,24 @@ MeshEstimator::Estimate(double smallestSize) const
     m_SurfaceOnly ? BytesPerTriangle * estimate.triangles : BytesPerTetrahedron * estimate.tetrahedra;
   estimate.memory = m_MemoryOfImages + bytes / Gigabyte;
   return estimate;
+}
+
+double
+MeshEstimator::FactorFor(double tetrahedra) const
+{
+  double below = 0.0;
+  double above = 1.0;
+  if (this->Estimate(0.0, above).tetrahedra >= tetrahedra)
+  {
+    return above;
+  }
+  constexpr int Halvings = 30;
+  for (int n = 0; n < Halvings; ++n)
+  {
+    const double middle = 0.5 * (below + above);
+    (this->Estimate(0.0, middle).tetrahedra >= tetrahedra ? below : above) = middle;
+  }
+  return above;
 }
 
 double

@@ -40,9 +40,13 @@ public:
   /** `exterior` is the material that is not meshed, or -1. */
   MeshEstimator(const IndicatorSet & indicators, int exterior, const SizingField & sizing, bool surfaceOnly);
 
-  /** What is to be expected if no size is below `smallestSize`. */
+  /** What is to be expected if all sizes are multiplied by a factor, and then none is below `smallestSize`. */
   MeshEstimate
-  Estimate(double smallestSize = 0.0) const;
+  Estimate(double smallestSize = 0.0, double factor = 1.0) const;
+
+  /** The factor for sizes, at most 1, with which this many tetrahedra are to be expected. */
+  double
+  FactorFor(double tetrahedra) const;
 
   /** The least size that keeps to both limits; infinite if none does. */
   double

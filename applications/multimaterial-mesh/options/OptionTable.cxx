@@ -158,6 +158,9 @@ MakeTable()
       "Smallest edge length to ask for in the region of interest." },
     { "roi-max-size", PARAMETER(roiMaxSize, RegionMaximumSize), Kind::Real, "H", "mm", Positive, "as elsewhere",
       "Largest edge length to ask for in the region of interest." },
+    { "tetrahedra", PARAMETER(tetrahedra, NumberOfTetrahedra), Kind::Integer, "N", "", AtLeastOne, "as the sizes say",
+      "How many tetrahedra the mesh is to have, within 5 %. Where the labels and the shape of tetrahedra need more, "
+      "a warning says so." },
     { "save-sizing", &S::sizingFile, Kind::OutputImage, "FILE", "", AnyValue, "",
       "Write the sizing field, the edge length asked for in mm: .nrrd, .nii, .nii.gz or .mha." } } },
 

@@ -88,6 +88,7 @@ struct Settings
   std::optional<double> roiMaxSize;
   std::string           sizingFile;
 
+  std::optional<std::uint64_t> tetrahedra;
   bool                         expectOnly{ false };
   std::optional<std::uint64_t> maxTetrahedra;
   std::optional<double>        maxMemory;
