@@ -19,11 +19,35 @@
 
 #include "itkMetaDataObject.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <locale>
 #include <set>
+#include <sstream>
 
 namespace mmm
 {
+namespace
+{
+/** "0.5 0.7 0.5" */
+std::optional<std::array<double, 3>>
+ParseColor(const std::string & text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  std::array<double, 3> color;
+  for (double & component : color)
+  {
+    if (!(stream >> component))
+    {
+      return std::nullopt;
+    }
+    component = std::clamp(component, 0.0, 1.0);
+  }
+  return color;
+}
+} // namespace
+
 std::vector<Segment>
 FindSegments(const itk::ImageIOBase & io)
 {
@@ -42,6 +66,9 @@ FindSegments(const itk::ImageIOBase & io)
     segment.layer = static_cast<unsigned int>(std::atoi(layer.c_str()));
     segment.label = segment.value;
     get("Name", segment.name);
+    std::string color;
+    get("Color", color);
+    segment.color = ParseColor(color);
     if (segment.layer >= io.GetNumberOfComponents())
     {
       return {};

@@ -22,6 +22,8 @@
 #include "itkImageIOBase.h"
 #include "itkVectorImage.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,8 @@ struct Segment
   int          value{ 0 };
   /** What it becomes where layers are made one image. */
   int label{ 0 };
+  /** Red, green and blue in [0, 1]. */
+  std::optional<std::array<double, 3>> color;
 };
 
 /** The segments that a file's header lists, in its order; none if it is another file. Labels are the file's values if
