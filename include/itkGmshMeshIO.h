@@ -20,6 +20,10 @@
 
 #include "itkGroupedMeshIOBase.h"
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace itk
 {
 /** \class GmshMeshIO
@@ -32,6 +36,8 @@ namespace itk
  *
  * Writing: text if the file type is ASCII, which itk::MeshFileWriter sets unless told otherwise, else binary, which an
  * IO on its own starts with. In version 4.1, each group is an entity of its number, without shape and borders.
+ *
+ * Besides the labels, cells can have numbers, see SetCellArrays().
  *
  * Reading: either version and byte order; elements of first order. Other sections, such as those of post-processing,
  * are skipped. If an entity belongs to several physical groups, the first one counts, and a warning says so. A mesh
@@ -51,6 +57,9 @@ public:
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
+  /** Numbers of all cells, one cell after the other, by name. */
+  using CellArraysType = std::map<std::string, std::vector<double>>;
+
   /** Method for creation through the object factory. */
   itkNewMacro(Self);
 
@@ -66,6 +75,17 @@ public:
   itkSetMacro(WriteGroupNames, bool);
   itkGetConstMacro(WriteGroupNames, bool);
   itkBooleanMacro(WriteGroupNames);
+
+  /** Writing: sections `$ElementData`, each with 1, 3 or 9 numbers per cell: scalars, vectors, tensors row by row. With
+   * RAS, the latter two are turned as the points are. What is no number is written as such. In version 4.1, elements are
+   * then numbered group by group, as meshio (5.3) wants it, and read back in this order. Default: none. */
+  void
+  SetCellArrays(const CellArraysType & arrays);
+  const CellArraysType &
+  GetCellArrays() const
+  {
+    return m_CellArrays;
+  }
 
 protected:
   GmshMeshIO();
@@ -94,6 +114,8 @@ protected:
 private:
   bool m_Version2{ false };
   bool m_WriteGroupNames{ true };
+
+  CellArraysType m_CellArrays;
 };
 } // end namespace itk
 

@@ -21,10 +21,12 @@
 #include "itkMultiMaterialMeshCompatibility.h"
 #include "itkMultiMaterialMeshTypes.h"
 #include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingLabels.h"
 
 #include "itkObject.h"
 #include "itkObjectFactory.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,8 @@ class MeshIOBase;
  * - `.msh` (Gmsh) and `.mesh` (Medit): the triangles, a group for each pair of labels, and the tetrahedra, a group for
  *   each label, if there are some.
  * - `.stl`, `.obj`, `.off`, `.surf` (FreeSurfer): the triangles, without labels.
+ *
+ * Labels can have names, see SetLabelTable(), and tetrahedra further numbers, see AddCellData().
  *
  * The surface's points have to be the first ones of the tetrahedra's, as they are from the filters of this module. A
  * file appears under its name only when it is complete, see OutputFile.
@@ -90,6 +94,30 @@ public:
   itkSetMacro(OutsideLabel, int);
   itkGetConstMacro(OutsideLabel, int);
 
+  /** What labels are called and how they are drawn; entries of labels that the mesh has not are left out. In `.msh` and
+   * `.mesh` files the names are those of the groups: "gray matter", and of the triangles between two labels
+   * "gray matter|white matter"; what has no name is "label 3" and "labels 0 3" as ever. `.vtu` files have names and
+   * colors as field data, see VTUMeshIO. "simnibs" has no names. A name that several labels have is followed by the
+   * label: "cortex (3)". Default: none. */
+  void
+  SetLabelTable(const mmm::LabelTable & table);
+  itkGetConstReferenceMacro(LabelTable, mmm::LabelTable);
+
+  /** Adds a name to the table, or changes it. */
+  void
+  SetLabelName(int label, const std::string & name);
+
+  /** Adds numbers of the tetrahedra, one tetrahedron after the other: 1 each, 3 (a vector in LPS) or 9 (a tensor in
+   * LPS, row by row). They are cell data of this name in `.vtu` files and `$ElementData` in `.msh` files, where
+   * triangles have NaN; with RAS, vectors and tensors are turned with the points. Other files cannot have them: Write()
+   * throws then. The same name again replaces the numbers. */
+  void
+  AddCellData(const std::string & name, const std::vector<double> & values);
+
+  /** The extensions of files that hold them, with their points. */
+  static const std::vector<std::string> &
+  GetCellDataExtensions();
+
   /** Throws an ExceptionObject, and leaves no file, if it cannot. */
   void
   Write() const;
@@ -123,6 +151,11 @@ private:
   WriteBy(MeshIOBase * io, const TMesh * mesh, bool isText = false) const;
   void
   WriteGroups(const std::string & extension) const;
+  void
+  CheckCellData(const std::string & extension) const;
+  /** Those of the mesh's labels, in the form that files have. */
+  mmm::LabelTable
+  NamesInUse() const;
 
   LabelTetrahedralMesh::ConstPointer m_Tetrahedra;
   LabelInterfaceMesh::ConstPointer   m_Surface;
@@ -131,6 +164,9 @@ private:
   bool                               m_RAS{ false };
   bool                               m_WriteSpace{ false };
   int                                m_OutsideLabel{ 0 };
+  mmm::LabelTable                    m_LabelTable;
+
+  std::map<std::string, std::vector<double>> m_CellData;
 };
 } // end namespace itk
 

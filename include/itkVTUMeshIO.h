@@ -19,10 +19,12 @@
 #define itkVTUMeshIO_h
 
 #include "MultiMaterialMeshingExport.h"
+#include "MultiMaterialMeshingLabels.h"
 #include "itkMultiMaterialMeshCompatibility.h"
 
 #include "itkMeshIOBase.h"
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -66,6 +68,8 @@ public:
 
   using SizeValueType = Superclass::SizeValueType;
   using NamesType = std::vector<std::string>;
+  /** Numbers of all cells, one cell after the other, by name. */
+  using CellArraysType = std::map<std::string, std::vector<double>>;
 
   /** Method for creation through the object factory. */
   itkNewMacro(Self);
@@ -107,6 +111,27 @@ public:
   itkSetMacro(WriteSpace, bool);
   itkGetConstMacro(WriteSpace, bool);
   itkBooleanMacro(WriteSpace);
+
+  /** Writing: further cell data arrays, of 1, 3 or 9 numbers per cell. Default: none. */
+  void
+  SetCellArrays(const CellArraysType & arrays);
+  const CellArraysType &
+  GetCellArrays() const
+  {
+    return m_CellArrays;
+  }
+
+  /** Writing: what labels are called and how they are drawn, as field data of numbers, as meshio (5.3) cannot read
+   * texts. An array that has the label's name holds the label and 3, the dimension of its cells, as meshio has the
+   * names of groups; `label_colors` has four columns, the label and its red, green and blue from 0 to 1. Names should
+   * differ. Default: none. */
+  void
+  SetLabelTable(const mmm::LabelTable & table);
+  const mmm::LabelTable &
+  GetLabelTable() const
+  {
+    return m_LabelTable;
+  }
 
   /*-------- This part of the interface deals with reading data. ----- */
 
@@ -174,6 +199,9 @@ private:
   NamesType m_CellDataNames{ "label" };
   NamesType m_PointDataNames{ "point_data" };
   bool      m_WriteSpace{ false };
+
+  CellArraysType  m_CellArrays;
+  mmm::LabelTable m_LabelTable;
 
   std::unique_ptr<ReadState>  m_Read;
   std::unique_ptr<WriteState> m_Written;

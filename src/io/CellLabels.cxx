@@ -57,6 +57,11 @@ IsLabel(T value)
 Labels
 ParseName(const std::string & name)
 {
+  const auto open = name.rfind(" (label ");
+  if (open != std::string::npos && name.back() == ')')
+  {
+    return ParseName(name.substr(open + 2, name.size() - open - 3));
+  }
   Labels            labels;
   const std::string prefixes[] = { "label ", "labels " };
   for (const std::string & prefix : prefixes)
@@ -88,6 +93,17 @@ ParseName(const std::string & name)
     }
   }
   return labels;
+}
+
+/** What SetTags() calls the group of a cell: with the name that was given to its label if the tag is another number. */
+std::string
+NameOfNewGroup(const CellMesh & mesh, std::size_t cell, const Labels & labels)
+{
+  const std::string name = GroupName(labels.data(), labels.size());
+  const auto        given = std::find_if(mesh.names.begin(), mesh.names.end(), [&](const auto & entry) {
+    return labels.size() == 1 && entry.first.first == mesh.ShapeOf(cell).dimension && entry.first.second == labels[0];
+  });
+  return given == mesh.names.end() ? name : given->second + " (" + name + ')';
 }
 
 /** Gives numbers that are not taken yet. */
@@ -202,7 +218,7 @@ SetTags(CellMesh & mesh, const CellLabels & labels, int lowestTag)
     mesh.tags[i] = tags.at(key);
     if (mesh.names.find(mesh.GroupOf(i)) == mesh.names.end())
     {
-      mesh.names.emplace(mesh.GroupOf(i), GroupName(key.data(), components));
+      mesh.names.emplace(mesh.GroupOf(i), NameOfNewGroup(mesh, i, key));
     }
   }
   return numbered;

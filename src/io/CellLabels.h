@@ -40,11 +40,12 @@ struct CellLabels
 CellLabels
 TakeLabels(const void * buffer, itk::IOComponentEnum type, std::size_t numberOfValues, std::size_t components);
 
-/** \brief Gives each cell the tag of its labels' group, and each group a name: "label 3", or "labels 0 2".
+/** \brief Gives each cell the tag of its labels' group, and each group without name one: "label 3", or "labels 0 2".
  *
  * A single label is its own tag if that is at least `lowestTag` and no larger than an int. All others, and pairs of
  * labels and so on, are numbered in ascending order from `lowestTag` or from the largest other tag. Their names tell
- * which labels they stand for. Returns them: for messages. */
+ * which labels they stand for, after the label's own name if it has one: "air (label 0)". Returns them: for messages.
+ */
 std::vector<std::pair<std::string, int>>
 SetTags(CellMesh & mesh, const CellLabels & labels, int lowestTag);
 

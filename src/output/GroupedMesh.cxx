@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "output/GroupedMesh.h"
 
+#include "output/LabelNames.h"
+
 #include "itkTetrahedronCell.h"
 #include "itkTriangleCell.h"
 
@@ -163,14 +165,22 @@ NumberPairs(const Mesh * tetrahedra, const itk::LabelInterfaceMesh * surface)
 } // namespace
 
 GroupedMesh
-MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra, const itk::LabelInterfaceMesh * surface)
+MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra,
+                const itk::LabelInterfaceMesh *   surface,
+                const LabelTable &                names)
 {
   GroupedMesh grouped;
   const auto  numbers = NumberPairs(tetrahedra, surface);
   grouped.mesh = Combine(tetrahedra, surface, [&](const Pair & pair) { return Numbered{ numbers.at(pair) }; });
   for (const auto & [pair, number] : numbers)
   {
-    grouped.names[{ 2, number }] = "labels " + std::to_string(pair.first) + ' ' + std::to_string(pair.second);
+    const std::string name = NameOfPair(names, pair);
+    grouped.names[{ 2, number }] =
+      name.empty() ? "labels " + std::to_string(pair.first) + ' ' + std::to_string(pair.second) : name;
+  }
+  for (const auto & [label, entry] : names)
+  {
+    grouped.names[{ 3, label }] = entry.name;
   }
   return grouped;
 }

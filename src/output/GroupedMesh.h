@@ -18,6 +18,7 @@
 #ifndef mmmGroupedMesh_h
 #define mmmGroupedMesh_h
 
+#include "MultiMaterialMeshingLabels.h"
 #include "itkGroupedMeshIOBase.h"
 #include "itkMultiMaterialMeshTypes.h"
 
@@ -26,7 +27,7 @@ namespace mmm
 /** \brief Triangles between labels and tetrahedra as the cells of one mesh, for formats that number groups of cells.
  *
  * A tetrahedron's number is its label. The triangles between two labels have a number of their own, above 1000 and
- * above all labels; the name of their group tells the labels. */
+ * above all labels; the name of their group tells the labels. Labels that have a name give it to their groups. */
 struct GroupedMesh
 {
   itk::LabelTetrahedralMesh::Pointer     mesh;
@@ -35,7 +36,9 @@ struct GroupedMesh
 
 /** There may be no tetrahedra (null). The surface's points have to be the first ones of the tetrahedra's. */
 GroupedMesh
-MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra, const itk::LabelInterfaceMesh * surface);
+MakeGroupedMesh(const itk::LabelTetrahedralMesh * tetrahedra,
+                const itk::LabelInterfaceMesh *   surface,
+                const LabelTable &                names);
 
 /** With the numbers of SimNIBS: 1000 and the label of the tissue whose surface it is. Of two tissues, that is the one
  * that SimNIBS lists first: 1 (white matter), 2 (gray matter), 9, 3 (CSF), 4 (bone), 8, 7, 6, 10, 5 (scalp), all

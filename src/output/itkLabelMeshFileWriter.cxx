@@ -24,11 +24,14 @@
 #include "itkMeditMeshIO.h"
 #include "itkVTUMeshIO.h"
 #include "output/GroupedMesh.h"
+#include "output/LabelNames.h"
 #include "output/TriangleFile.h"
 
 #include "itkMeshFileWriter.h"
 
 #include <algorithm>
+#include <limits>
+#include <set>
 
 namespace itk
 {
@@ -71,6 +74,89 @@ LabelMeshFileWriter::FindExtension(const std::string & fileName, const std::vect
   return found == extensions.end() ? "" : *found;
 }
 
+const std::vector<std::string> &
+LabelMeshFileWriter::GetCellDataExtensions()
+{
+  static const std::vector<std::string> extensions{ ".vtu", ".msh" };
+  return extensions;
+}
+
+void
+LabelMeshFileWriter::SetLabelTable(const mmm::LabelTable & table)
+{
+  m_LabelTable = table;
+  this->Modified();
+}
+
+void
+LabelMeshFileWriter::SetLabelName(int label, const std::string & name)
+{
+  m_LabelTable[label].name = name;
+  this->Modified();
+}
+
+void
+LabelMeshFileWriter::AddCellData(const std::string & name, const std::vector<double> & values)
+{
+  m_CellData[name] = values;
+  this->Modified();
+}
+
+mmm::LabelTable
+LabelMeshFileWriter::NamesInUse() const
+{
+  std::set<int> labels;
+  if (m_LabelTable.empty())
+  {
+    return {};
+  }
+  if (m_Tetrahedra && m_Tetrahedra->GetCellData())
+  {
+    const auto & ofTetrahedra = m_Tetrahedra->GetCellData()->CastToSTLConstContainer();
+    labels.insert(ofTetrahedra.begin(), ofTetrahedra.end());
+  }
+  if (m_Surface && m_Surface->GetCellData())
+  {
+    for (const auto & sides : m_Surface->GetCellData()->CastToSTLConstContainer())
+    {
+      labels.insert({ sides[0], sides[1] });
+    }
+  }
+  return mmm::NamesForFiles(m_LabelTable, labels);
+}
+
+void
+LabelMeshFileWriter::CheckCellData(const std::string & extension) const
+{
+  const auto & extensions = GetCellDataExtensions();
+  if (m_CellData.empty())
+  {
+    return;
+  }
+  if (!m_Tetrahedra)
+  {
+    itkExceptionMacro("There are data of tetrahedra, '" << m_CellData.begin()->first << "', but no tetrahedra.");
+  }
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+  {
+    itkExceptionMacro("'" << m_FileName << "' cannot have data of tetrahedra, '" << m_CellData.begin()->first
+                          << "'; .vtu and .msh files can.");
+  }
+  for (const auto & [name, values] : m_CellData)
+  {
+    if (name.empty() || name == "label")
+    {
+      itkExceptionMacro("Data of tetrahedra need a name, other than 'label'; it is '" << name << "'.");
+    }
+    const std::size_t count = m_Tetrahedra->GetNumberOfCells();
+    if (values.size() != count && values.size() != 3 * count && values.size() != 9 * count)
+    {
+      itkExceptionMacro("The data '" << name << "' are " << values.size() << " numbers for " << count
+                                     << " tetrahedra; each has 1, 3 or 9.");
+    }
+  }
+}
+
 bool
 LabelMeshFileWriter::IsForSimNIBS() const
 {
@@ -103,7 +189,7 @@ LabelMeshFileWriter::WriteGroups(const std::string & extension) const
   const bool isMedit = extension == ".mesh";
   const auto grouped = this->IsForSimNIBS() && !isMedit
                          ? mmm::MakeGroupedMeshForSimNIBS(m_Tetrahedra, m_Surface, m_OutsideLabel)
-                         : mmm::MakeGroupedMesh(m_Tetrahedra, m_Surface);
+                         : mmm::MakeGroupedMesh(m_Tetrahedra, m_Surface, this->NamesInUse());
   if (isMedit)
   {
     const auto io = MeditMeshIO::New();
@@ -118,6 +204,15 @@ LabelMeshFileWriter::WriteGroups(const std::string & extension) const
   // SimNIBS's reader wants the nodes to come first.
   io->SetWriteGroupNames(!this->IsForSimNIBS());
   io->SetGroupNames(grouped.names);
+  // the triangles come first
+  auto arrays = m_CellData;
+  for (auto & array : arrays)
+  {
+    const std::size_t components = array.second.size() / std::max<std::size_t>(m_Tetrahedra->GetNumberOfCells(), 1);
+    array.second.insert(
+      array.second.begin(), components * m_Surface->GetNumberOfCells(), std::numeric_limits<double>::quiet_NaN());
+  }
+  io->SetCellArrays(arrays);
   this->WriteBy(io.GetPointer(), grouped.mesh.GetPointer(), EndsWith(m_MshFormat, "ascii"));
 }
 
@@ -136,8 +231,11 @@ LabelMeshFileWriter::Write() const
   {
     itkExceptionMacro("There is no MshFormat '" << m_MshFormat << "'.");
   }
+  this->CheckCellData(extension);
   const auto vtu = VTUMeshIO::New();
   vtu->SetWriteSpace(m_WriteSpace);
+  vtu->SetLabelTable(this->NamesInUse());
+  vtu->SetCellArrays(m_CellData);
   if (m_Tetrahedra && extension == ".vtu")
   {
     this->WriteBy(vtu.GetPointer(), m_Tetrahedra.GetPointer());
@@ -185,5 +283,12 @@ LabelMeshFileWriter::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "RAS: " << (m_RAS ? "On" : "Off") << '\n';
   os << indent << "WriteSpace: " << (m_WriteSpace ? "On" : "Off") << '\n';
   os << indent << "OutsideLabel: " << m_OutsideLabel << '\n';
+  os << indent << "LabelTable: " << m_LabelTable.size() << " labels\n";
+  os << indent << "CellData:";
+  for (const auto & data : m_CellData)
+  {
+    os << ' ' << data.first;
+  }
+  os << '\n';
 }
 } // end namespace itk

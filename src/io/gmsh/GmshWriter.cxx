@@ -17,8 +17,11 @@
  *=========================================================================*/
 #include "io/gmsh/GmshWriter.h"
 #include "io/FileComposer.h"
+#include "io/gmsh/GmshElementData.h"
 #include "io/gmsh/GmshWriter2.h"
 #include "io/gmsh/GmshWriter4.h"
+
+#include <numeric>
 
 namespace mmm
 {
@@ -46,7 +49,7 @@ WritePhysicalNames(FileComposer & file, const CellMesh & mesh)
 } // namespace
 
 void
-WriteGmsh(const std::string & fileName, const CellMesh & mesh, const GmshFormat & format)
+WriteGmsh(const std::string & fileName, const CellMesh & mesh, const CellArrays & arrays, const GmshFormat & format)
 {
   FileComposer file(fileName, format.isBinary);
   file.Text("$MeshFormat\n" + std::string(format.isVersion2 ? "2.2 " : "4.1 ") + (format.isBinary ? "1 8\n" : "0 8\n"));
@@ -61,14 +64,18 @@ WriteGmsh(const std::string & fileName, const CellMesh & mesh, const GmshFormat 
   {
     WritePhysicalNames(file, mesh);
   }
+  std::vector<std::size_t> order;
   if (format.isVersion2)
   {
     WriteGmshSections2(file, mesh, format.isBinary);
+    order.resize(mesh.shapes.size());
+    std::iota(order.begin(), order.end(), std::size_t{ 0 });
   }
   else
   {
-    WriteGmshSections4(file, mesh);
+    order = WriteGmshSections4(file, mesh, !arrays.empty());
   }
+  WriteGmshElementData(file, arrays, order);
   file.Commit();
 }
 } // namespace mmm

@@ -18,6 +18,7 @@
 #ifndef mmmGmshWriter_h
 #define mmmGmshWriter_h
 
+#include "io/CellArrays.h"
 #include "io/CellMesh.h"
 
 #include <string>
@@ -35,7 +36,7 @@ struct GmshFormat
 
 /** Writes a .msh file: tags are physical groups, 0 is none. Throws an exception and leaves no file if it cannot. */
 void
-WriteGmsh(const std::string & fileName, const CellMesh & mesh, const GmshFormat & format);
+WriteGmsh(const std::string & fileName, const CellMesh & mesh, const CellArrays & arrays, const GmshFormat & format);
 } // namespace mmm
 
 #endif

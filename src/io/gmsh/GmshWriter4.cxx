@@ -168,13 +168,14 @@ WriteNodes(FileComposer & file, const CellMesh & mesh, const Entities & entities
   file.Text("$EndNodes\n");
 }
 
-/** Elements are numbered in the order of the mesh, so that a reader can restore it. */
 void
 WriteElements(FileComposer &                   file,
               const CellMesh &                 mesh,
               const Entities &                 entities,
-              const std::vector<std::size_t> & begins)
+              const std::vector<std::size_t> & begins,
+              bool                             isNumberedInOrder)
 {
+  std::size_t       number = 0;
   const std::size_t count = mesh.shapes.size();
   std::size_t       blocks = 0;
   for (const auto & entry : entities)
@@ -182,9 +183,9 @@ WriteElements(FileComposer &                   file,
     blocks += entry.second.blocks.size();
   }
   file.Text("$Elements\n");
-  for (const std::size_t number : { blocks, count, std::size_t(count > 0), count })
+  for (const std::size_t value : { blocks, count, std::size_t(count > 0), count })
   {
-    file.Size(number);
+    file.Size(value);
   }
   file.EndLine();
   for (const auto & [group, entity] : entities)
@@ -198,7 +199,8 @@ WriteElements(FileComposer &                   file,
       file.EndLine();
       for (const std::size_t cell : block.cells)
       {
-        file.Size(cell + 1);
+        ++number;
+        file.Size(isNumberedInOrder ? number : cell + 1);
         for (std::size_t k = 0; k < CellShapes[block.shape].corners; ++k)
         {
           file.Size(mesh.corners[begins[cell] + k] + 1);
@@ -212,13 +214,22 @@ WriteElements(FileComposer &                   file,
 }
 } // namespace
 
-void
-WriteGmshSections4(FileComposer & file, const CellMesh & mesh)
+std::vector<std::size_t>
+WriteGmshSections4(FileComposer & file, const CellMesh & mesh, bool isNumberedInOrder)
 {
   const auto     begins = CornerBegins(mesh);
   const Entities entities = FindEntities(mesh, begins);
   WriteEntities(file, entities);
   WriteNodes(file, mesh, entities);
-  WriteElements(file, mesh, entities, begins);
+  WriteElements(file, mesh, entities, begins, isNumberedInOrder);
+  std::vector<std::size_t> order;
+  for (const auto & entry : entities)
+  {
+    for (const Block & block : entry.second.blocks)
+    {
+      order.insert(order.end(), block.cells.begin(), block.cells.end());
+    }
+  }
+  return order;
 }
 } // namespace mmm

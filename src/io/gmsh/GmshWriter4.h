@@ -21,11 +21,16 @@
 #include "io/CellMesh.h"
 #include "io/FileComposer.h"
 
+#include <cstddef>
+#include <vector>
+
 namespace mmm
 {
-/** The entities, nodes and elements of version 4.1. Each group is an entity. */
-void
-WriteGmshSections4(FileComposer & file, const CellMesh & mesh);
+/** The entities, nodes and elements of version 4.1. Each group is an entity. Returns the cells in the file's order.
+ *
+ * Elements have the cells' numbers, so that a reader can restore their order, or are numbered as they come. */
+std::vector<std::size_t>
+WriteGmshSections4(FileComposer & file, const CellMesh & mesh, bool isNumberedInOrder);
 } // namespace mmm
 
 #endif

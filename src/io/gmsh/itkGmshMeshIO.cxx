@@ -18,6 +18,7 @@
 #include "itkGmshMeshIO.h"
 
 #include "io/FileCursor.h"
+#include "io/gmsh/GmshElementData.h"
 #include "io/gmsh/GmshReader.h"
 #include "io/gmsh/GmshWriter.h"
 
@@ -30,6 +31,13 @@ GmshMeshIO::GmshMeshIO()
 }
 
 GmshMeshIO::~GmshMeshIO() = default;
+
+void
+GmshMeshIO::SetCellArrays(const CellArraysType & arrays)
+{
+  m_CellArrays = arrays;
+  this->Modified();
+}
 
 void
 GmshMeshIO::ReadFile(mmm::CellMesh & mesh)
@@ -45,7 +53,12 @@ GmshMeshIO::ReadFile(mmm::CellMesh & mesh)
 void
 GmshMeshIO::WriteFile(const mmm::CellMesh & mesh)
 {
-  mmm::WriteGmsh(m_FileName, mesh, { m_Version2, m_FileType != IOFileEnum::ASCII, m_WriteGroupNames });
+  CellArraysType arrays = m_CellArrays;
+  if (this->GetRAS())
+  {
+    mmm::TurnLPSAndRAS(arrays, mesh.shapes.size());
+  }
+  mmm::WriteGmsh(m_FileName, mesh, arrays, { m_Version2, m_FileType != IOFileEnum::ASCII, m_WriteGroupNames });
 }
 
 void
@@ -54,5 +67,11 @@ GmshMeshIO::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Version2: " << (m_Version2 ? "On" : "Off") << std::endl;
   os << indent << "WriteGroupNames: " << (m_WriteGroupNames ? "On" : "Off") << std::endl;
+  os << indent << "CellArrays:";
+  for (const auto & array : m_CellArrays)
+  {
+    os << ' ' << array.first;
+  }
+  os << std::endl;
 }
 } // end namespace itk

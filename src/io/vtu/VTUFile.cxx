@@ -53,18 +53,56 @@ OpeningTags(const VTUContent & content)
   const std::string byteOrder = itk::ByteSwapper<int>::SystemIsBigEndian() ? "BigEndian" : "LittleEndian";
   const std::string compressor =
     content.encoding == VTUEncoding::CompressedBase64 ? " compressor=\"vtkZLibDataCompressor\"" : "";
-  // The character codes of LPS, zero-terminated.
-  const std::string space = "    <FieldData>\n"
-                            "      <Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">\n"
-                            "        76 80 83 0\n"
-                            "      </Array>\n"
-                            "    </FieldData>\n";
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"" + byteOrder +
-         "\" header_type=\"UInt64\"" + compressor + ">\n  <UnstructuredGrid>\n" + (content.hasSpace ? space : "") +
+         "\" header_type=\"UInt64\"" + compressor + ">\n  <UnstructuredGrid>\n" + content.fieldData +
          "    <Piece NumberOfPoints=\"" + std::to_string(content.numberOfPoints) + "\" NumberOfCells=\"" +
          std::to_string(content.numberOfCells) + "\">\n";
 }
+
+std::string
+FieldArray(const std::string & attributes, const std::string & values)
+{
+  return "      <DataArray " + attributes + " format=\"ascii\">\n" + values + "      </DataArray>\n";
+}
 } // namespace
+
+std::string
+VTUFieldData(bool hasSpace, const LabelTable & labels)
+{
+  // The character codes of LPS, zero-terminated.
+  std::string arrays = hasSpace ? "      <Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" format=\"ascii\">\n"
+                                  "        76 80 83 0\n"
+                                  "      </Array>\n"
+                                : "";
+  std::string colors;
+  std::size_t numberOfColors = 0;
+  for (const auto & [label, entry] : labels)
+  {
+    const std::string number = "        " + std::to_string(label);
+    if (!entry.name.empty())
+    {
+      arrays +=
+        FieldArray("type=\"Int32\" Name=\"" + EscapedXML(entry.name) + "\" NumberOfTuples=\"2\"", number + " 3\n");
+    }
+    if (entry.color)
+    {
+      colors += number;
+      for (const double component : *entry.color)
+      {
+        AppendNumber(colors += ' ', component);
+      }
+      colors += '\n';
+      ++numberOfColors;
+    }
+  }
+  if (numberOfColors > 0)
+  {
+    arrays += FieldArray("type=\"Float64\" Name=\"label_colors\" NumberOfComponents=\"4\" NumberOfTuples=\"" +
+                           std::to_string(numberOfColors) + '"',
+                         colors);
+  }
+  return arrays.empty() ? "" : "    <FieldData>\n" + arrays + "    </FieldData>\n";
+}
 
 void
 WriteVTUFile(const std::string & fileName, const VTUContent & content)

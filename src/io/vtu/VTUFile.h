@@ -20,6 +20,7 @@
 
 #include "io/vtu/VTUArrayEncoder.h"
 #include "io/vtu/VTUCells.h"
+#include "MultiMaterialMeshingLabels.h"
 
 #include <cstddef>
 #include <string>
@@ -29,8 +30,9 @@ namespace mmm
 /** The encoded parts of a .vtu file. */
 struct VTUContent
 {
-  VTUEncoding     encoding{ VTUEncoding::CompressedBase64 };
-  bool            hasSpace{ false };
+  VTUEncoding encoding{ VTUEncoding::CompressedBase64 };
+  /** The whole element, see VTUFieldData(). */
+  std::string     fieldData;
   std::size_t     numberOfPoints{ 0 };
   std::size_t     numberOfCells{ 0 };
   std::size_t     numberOfPointPixels{ 0 };
@@ -43,6 +45,11 @@ struct VTUContent
   std::string pointScalars;
   std::string cellScalars;
 };
+
+/** The field data: whether the points are in LPS, and what labels are called, see itk::VTUMeshIO. Empty if there are
+ * none. */
+std::string
+VTUFieldData(bool hasSpace, const LabelTable & labels);
 
 /** Writes the file, or throws and leaves none. */
 void

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itkVTUMeshIO.h"
 
+#include "io/CellArrays.h"
 #include "io/vtu/VTUArrayDecoder.h"
 #include "io/vtu/VTUArrayEncoder.h"
 #include "io/vtu/VTUCells.h"
@@ -124,6 +125,20 @@ VTUMeshIO::SetPointDataNames(const NamesType & names)
     m_PointDataNames = names;
     this->Modified();
   }
+}
+
+void
+VTUMeshIO::SetCellArrays(const CellArraysType & arrays)
+{
+  m_CellArrays = arrays;
+  this->Modified();
+}
+
+void
+VTUMeshIO::SetLabelTable(const mmm::LabelTable & table)
+{
+  m_LabelTable = table;
+  this->Modified();
 }
 
 bool
@@ -245,7 +260,7 @@ VTUMeshIO::WriteMeshInformation()
   m_Written->encoding = m_FileType == IOFileEnum::ASCII ? mmm::VTUEncoding::Text
                         : m_UseCompression              ? mmm::VTUEncoding::CompressedBase64
                                                         : mmm::VTUEncoding::Base64;
-  m_Written->hasSpace = m_WriteSpace;
+  m_Written->fieldData = mmm::VTUFieldData(m_WriteSpace, m_LabelTable);
 }
 
 template <typename TBody>
@@ -326,6 +341,17 @@ VTUMeshIO::Write()
       written.cells = mmm::EncodeVTUVertices(written.numberOfPoints, written.encoding);
       written.numberOfCells = written.numberOfPoints;
     }
+    for (const auto & array : m_CellArrays)
+    {
+      const std::size_t components = mmm::ComponentsOf(array, written.numberOfCells);
+      written.cellData += mmm::EncodeVTUPixels(array.second.data(),
+                                               IOComponentEnum::DOUBLE,
+                                               written.numberOfCells,
+                                               components,
+                                               { array.first },
+                                               written.encoding);
+      written.numberOfCellPixels = written.numberOfCells;
+    }
     mmm::WriteVTUFile(m_FileName, written);
   });
   m_Written = nullptr;
@@ -340,5 +366,7 @@ VTUMeshIO::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "PointDataNames:";
   PrintNames(os, m_PointDataNames);
   os << indent << "WriteSpace: " << (m_WriteSpace ? "On" : "Off") << std::endl;
+  os << indent << "CellArrays: " << m_CellArrays.size() << std::endl;
+  os << indent << "LabelTable: " << m_LabelTable.size() << std::endl;
 }
 } // end namespace itk
