@@ -24,6 +24,7 @@
 #include "itkImage.h"
 #include "itkObject.h"
 #include "itkObjectFactory.h"
+#include "itkSymmetricSecondRankTensor.h"
 
 #include <string>
 
@@ -57,6 +58,7 @@ public:
   using ConstPointer = SmartPointer<const Self>;
   using LabelImageType = Image<int, 3>;
   using ScalarImageType = Image<float, 3>;
+  using TensorImageType = Image<SymmetricSecondRankTensor<float, 3>, 3>;
 
   itkNewMacro(Self);
   itkOverrideGetNameOfClassMacro(VolumeFileReader);
@@ -69,6 +71,24 @@ public:
 
   ScalarImageType::Pointer
   ReadScalars();
+
+  /** Whether a voxel of the file is a symmetric tensor of six components: NIfTI with the intent of symmetric matrices
+   * (1005), or NRRD, MetaImage and so on with six components. */
+  bool
+  HasTensors() const;
+
+  /** Symmetric tensors, such as those of diffusion, turned to the axes of the physical space, LPS. NRRD says along
+   * which axes it has them (its measurement frame; without one, its space). NIfTI does not: they are taken along right,
+   * anterior and superior, and a warning says so. With TensorsInVoxelAxes, those of any file are taken along the axes
+   * of voxels.
+   */
+  TensorImageType::Pointer
+  ReadTensors();
+
+  /** Default false. */
+  itkSetMacro(TensorsInVoxelAxes, bool);
+  itkGetConstMacro(TensorsInVoxelAxes, bool);
+  itkBooleanMacro(TensorsInVoxelAxes);
 
 protected:
   VolumeFileReader() = default;
@@ -86,6 +106,7 @@ private:
   Place(ImageBase<3> & image) const;
 
   std::string m_FileName;
+  bool        m_TensorsInVoxelAxes{ false };
 };
 } // end namespace itk
 

@@ -90,6 +90,7 @@ ParseVersion1(const HeaderBytes & bytes, NiftiHeader & header)
   {
     return false;
   }
+  header.intent = bytes.Get<std::int16_t>(68);
   header.dataType = bytes.Get<std::int16_t>(70);
   bytes.GetAll<float>(76, header.pixdim, 4);
   bytes.GetAll<float>(108, &header.dataOffset, 1);
@@ -111,6 +112,7 @@ ParseVersion2(const HeaderBytes & bytes, NiftiHeader & header)
   {
     return false;
   }
+  header.intent = bytes.Get<std::int32_t>(504);
   header.dataType = bytes.Get<std::int16_t>(12);
   bytes.GetAll<double>(104, header.pixdim, 4);
   bytes.GetAll<std::int64_t>(168, &header.dataOffset, 1);

@@ -34,16 +34,18 @@ struct NiftiHeader
   bool                      isPair{ false };
   std::vector<std::int64_t> size;
   int                       dataType{ 0 };
-  double                    dataOffset{ 0.0 };
-  double                    slope{ 0.0 };
-  double                    intercept{ 0.0 };
-  int                       unit{ 0 };
-  double                    pixdim[4]{};
-  int                       qformCode{ 0 };
-  double                    quaternion[3]{};
-  double                    qoffset[3]{};
-  int                       sformCode{ 0 };
-  double                    sform[3][4]{};
+  /** What the numbers are; 1005 is a symmetric matrix. */
+  int    intent{ 0 };
+  double dataOffset{ 0.0 };
+  double slope{ 0.0 };
+  double intercept{ 0.0 };
+  int    unit{ 0 };
+  double pixdim[4]{};
+  int    qformCode{ 0 };
+  double quaternion[3]{};
+  double qoffset[3]{};
+  int    sformCode{ 0 };
+  double sform[3][4]{};
 
   /** Whether stored values stand for others. */
   bool

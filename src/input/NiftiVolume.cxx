@@ -79,10 +79,17 @@ NiftiType(const std::string & fileName, int type)
   itkGenericExceptionMacro(<< fileName << ": the voxels are " << other->second
                            << "; an image with one number per voxel is needed");
 }
-} // namespace
 
+bool
+HasSymmetricMatrices(const NiftiHeader & header)
+{
+  constexpr int symmetricMatrix = 1005;
+  return header.intent == symmetricMatrix && header.size.size() == 5 && header.size[3] == 1 && header.size[4] == 6;
+}
+
+/** Nothing if the file is not one of NIfTI, or not one of `tensors` where these are asked for. */
 std::optional<RawVolume>
-OpenNifti(const std::string & fileName)
+Open(const std::string & fileName, bool tensors)
 {
   constexpr std::size_t headerSize = 540;
   NiftiHeader           header;
@@ -96,6 +103,14 @@ OpenNifti(const std::string & fileName)
     {
       return std::nullopt;
     }
+  }
+  if (tensors)
+  {
+    if (!HasSymmetricMatrices(header))
+    {
+      return std::nullopt;
+    }
+    header.size.resize(3);
   }
   RawVolume volume;
   volume.fileName = fileName;
@@ -134,5 +149,18 @@ OpenNifti(const std::string & fileName)
                              << reason.substr(reason.find(": ") == std::string::npos ? 0 : reason.find(": ") + 2));
   }
   return volume;
+}
+} // namespace
+
+std::optional<RawVolume>
+OpenNifti(const std::string & fileName)
+{
+  return Open(fileName, false);
+}
+
+std::optional<RawVolume>
+OpenNiftiTensors(const std::string & fileName)
+{
+  return Open(fileName, true);
 }
 } // namespace mmm

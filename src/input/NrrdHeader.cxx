@@ -151,4 +151,25 @@ ReadNrrdPlace(const std::string & fileName, std::vector<std::string> & notes)
   }
   return affine;
 }
+
+itk::Matrix<double, 3, 3>
+ReadNrrdFrame(const std::string & fileName)
+{
+  auto       fields = ReadFields(fileName);
+  const auto vectors = ParseVectors(fields["measurement frame"]);
+  const bool hasFrame = vectors.size() == 3 && std::all_of(vectors.begin(), vectors.end(), [](const auto & vector) {
+                          return vector.size() == 3;
+                        });
+  const auto signs = SignsOf(Lower(fields["space"])).value_or(std::array<double, 3>{ 1.0, 1.0, 1.0 });
+  itk::Matrix<double, 3, 3> frame;
+  frame.SetIdentity();
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      frame[row][axis] = signs[row] * (hasFrame ? vectors[axis][row] : frame[row][axis]);
+    }
+  }
+  return frame;
+}
 } // namespace mmm

@@ -20,6 +20,8 @@
 
 #include "input/Affine.h"
 
+#include "itkMatrix.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +34,11 @@ namespace mmm
  * directions that are of no use. `notes` gets what the user should know. */
 std::optional<Affine>
 ReadNrrdPlace(const std::string & fileName, std::vector<std::string> & notes);
+
+/** From the axes that the components of vectors and tensors are told along to those of LPS: the measurement frame, or
+ * the axes of the space without one. The identity for other files. */
+itk::Matrix<double, 3, 3>
+ReadNrrdFrame(const std::string & fileName);
 } // namespace mmm
 
 #endif

@@ -183,4 +183,19 @@ ReadScalars(const RawVolume & volume)
   ForEachVoxel(volume, [&](auto value, std::size_t n) { scalar[n] = static_cast<float>(value); });
   return image;
 }
+
+std::vector<itk::Image<float, 3>::Pointer>
+ReadComponents(const RawVolume & volume, unsigned int count)
+{
+  std::vector<itk::Image<float, 3>::Pointer> images;
+  RawVolume                                  component = volume;
+  for (unsigned int n = 0; n < count; ++n)
+  {
+    images.push_back(ReadScalars(component));
+    WithType(volume.type, [&](auto example) {
+      component.offset += volume.size[0] * volume.size[1] * volume.size[2] * sizeof(example);
+    });
+  }
+  return images;
+}
 } // namespace mmm

@@ -67,11 +67,20 @@ OpenNifti(const std::string & fileName);
 std::optional<RawVolume>
 OpenMGH(const std::string & fileName);
 
+/** Nothing if the file is not one of NIfTI that has a symmetric matrix in each voxel (intent 1005, a size of x, y, z,
+ * 1, 6). It is that of the first of the six components. */
+std::optional<RawVolume>
+OpenNiftiTensors(const std::string & fileName);
+
 /** Read the voxels, a piece at a time. Throw itk::ExceptionObject if the file is damaged, or has no labels. */
 itk::Image<int, 3>::Pointer
 ReadLabels(const RawVolume & volume);
 itk::Image<float, 3>::Pointer
 ReadScalars(const RawVolume & volume);
+
+/** Those of a voxel that are one after the other in the file, each as an image of its own. */
+std::vector<itk::Image<float, 3>::Pointer>
+ReadComponents(const RawVolume & volume, unsigned int count);
 } // namespace mmm
 
 #endif

@@ -22,6 +22,7 @@
 #include "input/NrrdHeader.h"
 #include "input/RawVolume.h"
 #include "input/SegmentLayers.h"
+#include "input/TensorVolume.h"
 
 #include "itkImageFileReader.h"
 #include "itkImageIOFactory.h"
@@ -296,10 +297,27 @@ VolumeFileReader::ReadScalars() -> ScalarImageType::Pointer
   return image;
 }
 
+bool
+VolumeFileReader::HasTensors() const
+{
+  mmm::CheckFile(m_FileName);
+  return mmm::HasTensors(m_FileName);
+}
+
+auto
+VolumeFileReader::ReadTensors() -> TensorImageType::Pointer
+{
+  std::vector<std::string> notes;
+  const auto               image = mmm::ReadTensors(m_FileName, m_TensorsInVoxelAxes, notes);
+  std::for_each(notes.begin(), notes.end(), [&](const std::string & note) { this->Note(note); });
+  return image;
+}
+
 void
 VolumeFileReader::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << m_FileName << '\n';
+  os << indent << "TensorsInVoxelAxes: " << (m_TensorsInVoxelAxes ? "On" : "Off") << '\n';
 }
 } // end namespace itk
