@@ -245,6 +245,22 @@ public:
   }
 
   void
+  operator()(std::vector<CellDataRequest> Settings::* field) const
+  {
+    m_Parser
+      .add_option_function<std::vector<std::string>>(
+        SpellingsOf(m_Option),
+        [this_ = *this, field](const std::vector<std::string> & texts) {
+          for (const std::string & text : texts)
+          {
+            (this_.m_Settings.*field).push_back(ParseCellDataRequest(NameOf(this_.m_Option), text));
+          }
+        })
+      ->type_name(m_Option.placeholder)
+      ->allow_extra_args(false);
+  }
+
+  void
   operator()(std::string Settings::* field) const
   {
     CLI::Option * const added = this->AddText([this_ = *this, field](const std::string & text) {

@@ -21,6 +21,7 @@
 #include "itkLabelMeshFileWriter.h"
 #include "itkOutputFile.h"
 
+#include <cctype>
 #include <type_traits>
 
 namespace cli
@@ -58,7 +59,8 @@ FilesOf(const Settings & settings, bool areOutputs)
   std::vector<NamedFile> files;
   ForEachOption([&](const Option & option) {
     const bool isFile = option.kind == Kind::LabelImage || option.kind == Kind::ScalarImage ||
-                        option.kind == Kind::ScalarImages || option.kind == Kind::TextFile || option.IsOutput();
+                        option.kind == Kind::ScalarImages || option.kind == Kind::TextFile ||
+                        option.kind == Kind::CellData || option.IsOutput();
     if (!isFile || option.kind == Kind::FilePrefix || option.IsOutput() != areOutputs)
     {
       return;
@@ -84,11 +86,11 @@ FilesOf(const Settings & settings, bool areOutputs)
             add(name);
           }
         }
-        else if constexpr (std::is_same_v<T, std::vector<Hull>>)
+        else if constexpr (std::is_same_v<T, std::vector<Hull>> || std::is_same_v<T, std::vector<CellDataRequest>>)
         {
-          for (const Hull & hull : value)
+          for (const auto & entry : value)
           {
-            add(hull.file);
+            add(entry.file);
           }
         }
       },
@@ -107,8 +109,35 @@ IsNameForLabel(const std::string & name, const NameParts & parts)
   {
     return false;
   }
-  const auto digits = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
-  return digits.find_first_not_of("-0123456789") == std::string::npos;
+  // "-7", or "3-gray_matter"
+  const auto part = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+  const auto end = part.find_first_not_of("0123456789", part.front() == '-');
+  return end == std::string::npos ||
+         (end > 0 && std::isdigit(static_cast<unsigned char>(part[end - 1])) && part[end] == '-');
+}
+
+/** What all systems take in the name of a file; umlauts and the like stay. */
+std::string
+ForFileName(const std::string & name)
+{
+  constexpr std::size_t longest = 60;
+  std::string           text;
+  for (const char character : name)
+  {
+    const auto code = static_cast<unsigned char>(character);
+    const bool isPlain = std::isalnum(code) || code >= 0x80 || character == '-' || character == '.';
+    // a name in UTF-8 is not cut within a character
+    if (text.size() >= longest && (code & 0xc0) != 0x80)
+    {
+      break;
+    }
+    if (isPlain || (!text.empty() && text.back() != '_'))
+    {
+      text += isPlain ? character : '_';
+    }
+  }
+  const auto last = text.find_last_not_of("_.");
+  return last == std::string::npos ? "" : text.substr(0, last + 1);
 }
 
 /** Adds a file of label 0, and checks that those of other labels are not `others`. */
@@ -176,10 +205,11 @@ MeshFiles(const Settings & settings)
 }
 
 std::string
-SurfaceName(const std::string & prefix, int label)
+SurfaceName(const std::string & prefix, int label, const std::string & name)
 {
   const auto [stem, extension] = SurfaceNameParts(prefix);
-  return stem + std::to_string(label) + extension;
+  const std::string part = ForFileName(name);
+  return stem + std::to_string(label) + (part.empty() ? "" : '-' + part) + extension;
 }
 
 std::string

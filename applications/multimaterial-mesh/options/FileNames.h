@@ -38,9 +38,10 @@ FindExtension(Kind kind, const std::string & fileName);
 std::string
 DescribeExtensions(Kind kind);
 
-/** What --surface-per-label writes for a label: before the extension, if there is one of surfaces, else with .stl. */
+/** What --surface-per-label writes for a label: before the extension, if there is one of surfaces, else with .stl. If
+ * the label has a name, it follows: "tissue-3-gray_matter.stl". */
 std::string
-SurfaceName(const std::string & prefix, int label);
+SurfaceName(const std::string & prefix, int label, const std::string & name);
 
 /** What --save-indicators writes for a label. */
 std::string

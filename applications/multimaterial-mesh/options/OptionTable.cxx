@@ -119,6 +119,16 @@ MakeTable()
       "Of .msh files: version 4.1 or 2.2 (for GetDP), binary or text (2.2-ascii for DUNE and OpenFOAM), or as SimNIBS "
       "wants it (2.2, RAS, its numbers of surfaces).",
       itk::LabelMeshFileWriter::GetMshFormats() },
+    { "names", &S::names, Kind::TextFile, "FILE", "", AnyValue, "",
+      "Names and colors of labels, from a table of BIDS (.tsv), FreeSurfer, 3D Slicer (.ctbl, .seg.nrrd) or ITK-SNAP, or "
+      "from .json; 'none' for none. Without it, those of a .seg.nrrd, or of BIDS beside an image *_dseg, are taken." },
+    { "conductivity", &S::conductivity, Kind::TextFile, "FILE", "", AnyValue, "",
+      "Write the conductivity of each tetrahedron as cell data, in S/m, from a text file with LABEL S/M or NAME S/M on "
+      "each line, or from .json; for .vtu and .msh." },
+    { "cell-data", &S::cellData, Kind::CellData, "NAME=IMAGE[:MODE]", "", AnyValue, "",
+      "Write what another image is in each tetrahedron as cell data, by MODE: its mean, or at the center, nearest or "
+      "linear; for .vtu and .msh. For several, give the option again.",
+      {}, Audience::CommandLine },
     { "ras", &S::ras, Kind::Flag, "", "", AnyValue, "",
       "Points in RAS instead of LPS; in .vtu they are always in LPS, in .surf always in RAS." } } },
 

@@ -59,7 +59,8 @@ enum class Kind
   Report,
   FilePrefix,
   Hulls,
-  TextFile
+  TextFile,
+  CellData
 };
 
 /** Inclusive, but for a minimum that is not `minimumAllowed`. */
@@ -80,6 +81,7 @@ using Field = std::variant<bool                         Settings::*,
                            std::vector<int>             Settings::*,
                            mmm::LabelSizeRules          Settings::*,
                            std::vector<Hull>            Settings::*,
+                           std::vector<CellDataRequest> Settings::*,
                            std::vector<std::string>     Settings::*>;
 
 /** \brief Where an option's value goes: a member of Settings and, for many, a parameter of the filter. */

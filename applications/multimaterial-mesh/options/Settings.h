@@ -18,6 +18,7 @@
 #ifndef Settings_h
 #define Settings_h
 
+#include "options/CellDataRequest.h"
 #include "MultiMaterialMeshingOptions.h"
 
 #include <algorithm>
@@ -70,6 +71,11 @@ struct Settings
   bool              ras{ false };
   std::string       report;
 
+  /** Files: what labels are called, or "none"; what they conduct; and images to sample. */
+  std::string                  names;
+  std::string                  conductivity;
+  std::vector<CellDataRequest> cellData;
+
   std::optional<double> radius;
   std::string           indicatorPrefix;
 
@@ -102,6 +108,12 @@ struct Settings
   IsExterior(int label) const
   {
     return std::find(exterior.begin(), exterior.end(), label) != exterior.end();
+  }
+
+  bool
+  HasCellData() const
+  {
+    return !conductivity.empty() || !cellData.empty();
   }
 
   bool

@@ -19,8 +19,10 @@
 
 #include "console/Errors.h"
 #include "options/FileNames.h"
+#include "itkLabelMeshFileWriter.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace cli
@@ -68,6 +70,38 @@ CheckHulls(const Settings & settings)
     }
   }
 }
+
+void
+CheckCellData(const Settings & settings)
+{
+  const auto & extensions = itk::LabelMeshFileWriter::GetCellDataExtensions();
+  if (!settings.HasCellData())
+  {
+    return;
+  }
+  const std::string option = settings.conductivity.empty() ? "--cell-data" : "--conductivity";
+  if (settings.surfaceOnly)
+  {
+    throw UsageError(option + " is for tetrahedra, which --surface-only leaves out");
+  }
+  if (itk::LabelMeshFileWriter::FindExtension(settings.output, extensions).empty())
+  {
+    throw UsageError(option + " is for .vtu and .msh; OUTPUT is '" + settings.output +
+                     "', which cannot hold data of tetrahedra");
+  }
+  std::set<std::string> names;
+  if (!settings.conductivity.empty())
+  {
+    names.insert("conductivity");
+  }
+  for (const CellDataRequest & request : settings.cellData)
+  {
+    if (!names.insert(request.name).second)
+    {
+      throw UsageError("there are two cell data of the name '" + request.name + "'");
+    }
+  }
+}
 } // namespace
 
 void
@@ -84,6 +118,7 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("--sizing-mode replace needs --sizing-image");
   }
+  CheckCellData(settings);
   CheckRegion(settings);
   CheckHulls(settings);
   if (settings.IsFilled() && settings.exterior.empty())

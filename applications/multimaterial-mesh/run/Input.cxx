@@ -21,11 +21,12 @@
 #include "console/StreamCapture.h"
 #include "console/Warnings.h"
 #include "options/FileNames.h"
+#include "run/Conductivity.h"
 #include "run/LabelChanges.h"
 #include "itkIndicatorImagesToLabelImageFilter.h"
-#include "itkVolumeFileReader.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace cli
@@ -201,6 +202,34 @@ WarnOfAbsentExterior(const Settings & settings, const mmm::LabelCounts & voxels)
     }
   }
 }
+
+SampledImage
+ReadSampledImage(const CellDataRequest & request)
+{
+  return ReadBy(request.file, [&](itk::VolumeFileReader & reader) {
+    reader.SetTensorsInVoxelAxes(request.inVoxelAxes);
+    return reader.HasTensors() ? SampledImage{ nullptr, reader.ReadTensors() }
+                               : SampledImage{ reader.ReadScalars(), nullptr };
+  });
+}
+
+std::set<int>
+LabelsToMesh(const Settings & settings, const mmm::LabelCounts & voxels)
+{
+  std::set<int> labels;
+  for (const auto & entry : voxels)
+  {
+    if (!settings.IsExterior(entry.first))
+    {
+      labels.insert(entry.first);
+    }
+  }
+  if (const auto air = LabelOfAir(settings, voxels))
+  {
+    labels.insert(*air);
+  }
+  return labels;
+}
 } // namespace
 
 LabelImage::Pointer
@@ -218,17 +247,18 @@ ReadScalarImage(const std::string & fileName)
 Input
 ReadInput(const Settings & settings)
 {
-  Input      input;
-  const bool hasIndicators = !settings.indicators.empty();
+  Input              input;
+  std::map<int, int> changes;
+  const bool         hasIndicators = !settings.indicators.empty();
   if (hasIndicators)
   {
     input = ReadIndicators(settings);
   }
   else
   {
-    const LabelChanges changes(settings);
+    const LabelChanges labelChanges(settings);
     input.labels = ReadLabelImage(settings.labels);
-    changes.Apply(*input.labels);
+    changes = labelChanges.Apply(*input.labels);
   }
   input.voxels = mmm::CountLabels(input.labels.GetPointer());
   if (hasIndicators)
@@ -243,6 +273,16 @@ ReadInput(const Settings & settings)
   WarnOfUnusedFormat(settings);
   CheckLabelsFit(settings, input.voxels);
   WarnOfAbsentExterior(settings, input.voxels);
+  const auto meshed = LabelsToMesh(settings, input.voxels);
+  input.names = ReadLabelNames(settings, changes, meshed);
+  if (!settings.conductivity.empty())
+  {
+    input.conductivity = ReadConductivity(settings.conductivity, input.names, meshed);
+  }
+  for (const CellDataRequest & request : settings.cellData)
+  {
+    input.cellData.push_back(ReadSampledImage(request));
+  }
   return input;
 }
 

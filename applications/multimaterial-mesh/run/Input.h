@@ -19,10 +19,13 @@
 #define Input_h
 
 #include "options/Settings.h"
+#include "run/LabelNames.h"
 #include "itkLabelImageStages.h"
+#include "itkVolumeFileReader.h"
 
 #include "itkImage.h"
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,12 +35,26 @@ namespace cli
 using LabelImage = itk::Image<int, 3>;
 using ScalarImage = itk::Image<float, 3>;
 
+using TensorImage = itk::VolumeFileReader::TensorImageType;
+
+/** An image that is sampled on the tetrahedra; the other one is null. */
+struct SampledImage
+{
+  ScalarImage::Pointer scalars;
+  TensorImage::Pointer tensors;
+};
+
 /** \brief What is meshed: labels or indicators. With indicators, the labels are the partition that they make. */
 struct Input
 {
   LabelImage::Pointer               labels;
   std::vector<ScalarImage::Pointer> indicators;
   mmm::LabelCounts                  voxels;
+  LabelNames                        names;
+  /** In S/m, of the labels that are meshed; empty without --conductivity. */
+  std::map<int, double> conductivity;
+  /** In the order of the settings' cellData. */
+  std::vector<SampledImage> cellData;
 };
 
 /** Read what the settings name and check it. Throw where it cannot be meshed, and warn of what is doubtful. */

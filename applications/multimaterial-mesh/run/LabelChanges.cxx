@@ -156,12 +156,12 @@ LabelChanges::operator()(int label) const
   return isMeshed || isExterior ? label : m_Exterior.front();
 }
 
-void
+std::map<int, int>
 LabelChanges::Apply(itk::Image<int, 3> & image) const
 {
   if (m_Map.empty() && !m_MapOfOthers && m_Merge.empty() && m_Only.empty())
   {
-    return;
+    return {};
   }
   std::map<int, int> known;
   int * const        end = image.GetBufferPointer() + image.GetBufferedRegion().GetNumberOfPixels();
@@ -196,5 +196,6 @@ LabelChanges::Apply(itk::Image<int, 3> & image) const
       Warn("no voxel has the label " + std::to_string(label) + " that --labels names");
     }
   }
+  return known;
 }
 } // namespace cli

@@ -37,8 +37,9 @@ public:
   /** Throws UsageError for what cannot be understood, Error for a file that cannot be read. */
   explicit LabelChanges(const Settings & settings);
 
-  /** Warns of labels that an option names and no voxel has. */
-  void
+  /** Warns of labels that an option names and no voxel has. Returns what each label of the image has become; nothing if
+   * no option changes labels. */
+  std::map<int, int>
   Apply(itk::Image<int, 3> & image) const;
 
 private:

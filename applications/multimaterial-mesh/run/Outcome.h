@@ -22,10 +22,20 @@
 #include "itkLabelHullMeshFilter.h"
 #include "MultiMaterialMeshingQuality.h"
 
+#include <string>
 #include <vector>
 
 namespace cli
 {
+/** Numbers of the tetrahedra, and how many of these are outside of the image that they are from. */
+struct CellDataRecord
+{
+  std::string         name;
+  std::vector<double> values;
+  std::size_t         outside{ 0 };
+  std::size_t         partlyOutside{ 0 };
+};
+
 /** \brief All that a run has produced: what is written, reported and summed up. */
 struct Outcome
 {
@@ -39,6 +49,7 @@ struct Outcome
   itk::LabelJunctionMesh::Pointer    junctions;
   /** In the order of the settings' hulls. */
   std::vector<itk::LabelHullMeshFilter::Pointer> hulls;
+  std::vector<CellDataRecord>                    cellData;
   mmm::MeshQualityReport                         quality;
   mmm::Distribution                              surfaceQuality;
   std::vector<mmm::StageRecord>                  stages;

@@ -51,6 +51,14 @@ WriteMesh(Outcome &                         outcome,
   writer->SetRAS(outcome.settings.ras);
   writer->SetWriteSpace(outcome.settings.slicerProgress);
   writer->SetOutsideLabel(outcome.filter->GetOutsideLabel());
+  writer->SetLabelTable(outcome.input.names.table);
+  if (tetrahedra != nullptr)
+  {
+    for (const CellDataRecord & record : outcome.cellData)
+    {
+      writer->AddCellData(record.name, record.values);
+    }
+  }
   writer->Write();
   outcome.files.push_back(fileName);
 }
@@ -146,7 +154,10 @@ WriteMeshes(Outcome & outcome)
     {
       filter->SetLabel(label);
       filter->Update();
-      WriteMesh(outcome, nullptr, filter->GetOutput(), SurfaceName(settings.surfacePrefix, label));
+      WriteMesh(outcome,
+                nullptr,
+                filter->GetOutput(),
+                SurfaceName(settings.surfacePrefix, label, outcome.input.names.NameOf(label)));
     }
   }
   for (std::size_t h = 0; h < outcome.hulls.size(); ++h)

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 namespace cli
 {
@@ -91,6 +92,52 @@ InputSection(const Outcome & outcome)
   return section;
 }
 
+/** Of the labels that are meshed: the file, and what it says of each of them. */
+Json
+NameSection(const Outcome & outcome)
+{
+  Json list = Json::array();
+  for (const int label : outcome.filter->GetLabels())
+  {
+    const auto entry = outcome.input.names.table.find(label);
+    if (entry != outcome.input.names.table.end())
+    {
+      list.push_back({ { "label", label },
+                       { "name", entry->second.name },
+                       { "color", entry->second.color ? Triple(*entry->second.color) : Json(nullptr) } });
+    }
+  }
+  return { { "file", outcome.input.names.file }, { "labels", list } };
+}
+
+/** The image, where there is one, and the numbers' range without what is no number. */
+Json
+CellDataSection(const Outcome & outcome)
+{
+  Json         list = Json::array();
+  const auto & requests = outcome.settings.cellData;
+  for (const CellDataRecord & record : outcome.cellData)
+  {
+    const auto request = std::find_if(
+      requests.begin(), requests.end(), [&](const CellDataRequest & one) { return one.name == record.name; });
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const double value : record.values)
+    {
+      lowest = std::fmin(lowest, value);
+      highest = std::fmax(highest, value);
+    }
+    list.push_back({ { "name", record.name },
+                     { "file", request == requests.end() ? outcome.settings.conductivity : request->file },
+                     { "mode", request == requests.end() ? Json(nullptr) : Json(request->mode) },
+                     { "minimum", Number(lowest) },
+                     { "maximum", Number(highest) },
+                     { "tetrahedra_outside", record.outside },
+                     { "tetrahedra_partly_outside", record.partlyOutside } });
+  }
+  return list;
+}
+
 /** "max-volume" gives "max_volume_mm3". */
 std::string
 KeyOf(const Option & option)
@@ -121,6 +168,17 @@ ToJson(const std::vector<Hull> & hulls)
   for (const Hull & hull : hulls)
   {
     list.push_back({ { "file", hull.file }, { "labels", hull.labels } });
+  }
+  return list;
+}
+
+Json
+ToJson(const std::vector<CellDataRequest> & requests)
+{
+  Json list = Json::array();
+  for (const CellDataRequest & request : requests)
+  {
+    list.push_back({ { "name", request.name }, { "file", request.file }, { "mode", request.mode } });
   }
   return list;
 }
@@ -205,6 +263,14 @@ MakeReport(const Outcome & outcome)
   if (!outcome.hulls.empty())
   {
     report["hulls"] = HullSection(outcome);
+  }
+  if (!outcome.input.names.file.empty())
+  {
+    report["label_names"] = NameSection(outcome);
+  }
+  if (!outcome.cellData.empty())
+  {
+    report["cell_data"] = CellDataSection(outcome);
   }
   report["seconds"] = Number(outcome.seconds);
   report["parameters"] = ParameterSection(outcome.settings);

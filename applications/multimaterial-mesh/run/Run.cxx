@@ -20,6 +20,7 @@
 #include "console/StageClock.h"
 #include "console/Warnings.h"
 #include "options/FileNames.h"
+#include "run/CellData.h"
 #include "run/Hulls.h"
 #include "run/Outcome.h"
 #include "run/Output.h"
@@ -158,6 +159,10 @@ Run(Settings settings)
   clock.Append(outcome.filter->GetStageRecords());
   TakeMeshes(outcome);
   clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });
+  if (settings.HasCellData())
+  {
+    clock.Run("sampling", 1.0, [&] { MakeCellData(outcome); });
+  }
   clock.Run("writing", 1.0, [&] {
     MakeHulls(outcome);
     WriteMeshes(outcome);

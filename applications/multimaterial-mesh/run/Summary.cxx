@@ -91,8 +91,8 @@ PrintLabels(std::ostream & os, const Outcome & outcome)
   }
   for (const Line & line : lines)
   {
-    os << "label " << line.label << ": " << std::defaultfloat << std::setprecision(6) << line.volume << " mm^3, "
-       << std::fixed << std::setprecision(1) << std::showpos << 100.0 * line.error << std::noshowpos
+    os << outcome.input.names.Describe(line.label) << ": " << std::defaultfloat << std::setprecision(6) << line.volume
+       << " mm^3, " << std::fixed << std::setprecision(1) << std::showpos << 100.0 * line.error << std::noshowpos
        << " % against its voxels\n";
   }
 }

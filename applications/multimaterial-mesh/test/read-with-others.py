@@ -140,6 +140,44 @@ def check_surface(name, mesh, points):
     assert distances.max() < 1e-5, distances.max()
 
 
+def check_fields(program, image, folder):
+    """Names and conductivities, with triangles that have none."""
+    conductivity = {2: 0.25, 5: 1.5}
+    (folder / "names.txt").write_text("0 outside\n2 gray & white 255 0 51\n5 core\n")
+    (folder / "sigma.txt").write_text("gray & white 0.25\n5 1.5\n")
+    options = ["--quiet", "--names", folder / "names.txt", "--conductivity", folder / "sigma.txt"]
+    names = {"gray & white": (2, 3), "core": (5, 3)}
+    for name, extra in (("fields.vtu", []), ("fields.msh", []), ("fields-2.2.msh", ["--msh-format", "2.2"])):
+        file = folder / name
+        subprocess.run([program, image, file, *options, *extra], check=True)
+        # meshio 5.3 splits the data of a file of version 2.2 with several shapes in the wrong places
+        if name != "fields-2.2.msh":
+            mesh = meshio.read(file)
+            assert (
+                names.items()
+                <= {key: tuple(value) for key, value in mesh.field_data.items() if len(value) == 2}.items()
+            )
+            labels = mesh.cell_data_dict["label" if name.endswith("vtu") else "gmsh:physical"]["tetra"]
+            values = mesh.cell_data_dict["conductivity"]["tetra"].ravel()
+            np.testing.assert_array_equal(values, np.vectorize(conductivity.get)(labels))
+        if name.endswith("vtu"):
+            grid = pyvista.read(file)
+            np.testing.assert_array_equal(grid["conductivity"], np.vectorize(conductivity.get)(grid["label"]))
+            np.testing.assert_array_equal(grid.field_data["core"], [5, 3])
+            np.testing.assert_allclose(np.reshape(grid.field_data["label_colors"], -1), [2, 1, 0, 0.2])
+            continue
+        gmsh.open(str(file))
+        _, tags, values, _, _ = gmsh.view.getModelData(gmsh.view.getTags()[0], 0)
+        values = dict(zip(tags.tolist(), np.ravel(values).tolist()))
+        for label, value in conductivity.items():
+            for entity in gmsh.model.getEntitiesForPhysicalGroup(3, label):
+                cells = gmsh.model.mesh.getElements(3, entity)[1][0]
+                assert {values[int(cell)] for cell in cells} == {value}, (name, label)
+        assert {gmsh.model.getPhysicalName(3, label) for label in conductivity} == set(names)
+        gmsh.clear()
+    print("names and conductivities are read")
+
+
 def main(program):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -177,6 +215,7 @@ def main(program):
             if key == "mesh":
                 check_surface(folder / "surface.obj", mesh, expected.points)
         check_surface(folder / "surface.stl", read_with_meshio(files["2.2"]), expected.points)
+        check_fields(program, folder / "labels.nrrd", folder)
         gmsh.finalize()
         print(f"names in Gmsh: {sorted(names)}")
 
