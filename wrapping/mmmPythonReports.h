@@ -20,6 +20,7 @@
 
 // SWIG has included Python.h.
 
+#include "MultiMaterialMeshingLabels.h"
 #include "MultiMaterialMeshingOptions.h"
 #include "MultiMaterialMeshingQuality.h"
 #include "MultiMaterialMeshingReports.h"
@@ -141,6 +142,21 @@ MakeNamespace(std::initializer_list<std::pair<const char *, PyObject *>> members
   Py_XDECREF(module);
   Py_XDECREF(dictionary);
   return result;
+}
+
+inline PyObject *
+ToPython(const LabelEntry & entry)
+{
+  PyObject * color = Py_None;
+  if (entry.color)
+  {
+    color = ToPython(*entry.color);
+  }
+  else
+  {
+    Py_INCREF(color);
+  }
+  return MakeNamespace({ { "name", ToPython(entry.name) }, { "color", color } });
 }
 
 inline PyObject *

@@ -51,7 +51,15 @@ def test_templates_and_classes_have_docstrings(name):
 
 
 @pytest.mark.parametrize(
-    "name", ["LabelHullMeshFilter", "LabelMeshFileWriter", "LabelSurfaceMeshFilter", "VolumeFileReader"]
+    "name",
+    [
+        "LabelHullMeshFilter",
+        "LabelMeshFileWriter",
+        "LabelSurfaceMeshFilter",
+        "LabelTableReader",
+        "TetrahedronImageSampler",
+        "VolumeFileReader",
+    ],
 )
 def test_classes_have_docstrings(name):
     assert re.match(r"[A-Z]\w+ .*\.\n", inspect.getdoc(getattr(itk, name)))

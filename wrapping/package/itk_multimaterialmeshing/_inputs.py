@@ -63,6 +63,45 @@ def as_labels(labels: Any, name: str) -> list[int]:
     return [int(value) for value in values]
 
 
+def as_names(names: Any, labels: Any) -> dict[int, str]:
+    """The names as a dictionary: those given, of a file, or those found beside the labels' file."""
+    import itk
+
+    reader = itk.LabelTableReader.New()
+    if isinstance(names, Mapping):
+        return {int(label): str(name) for label, name in names.items()}
+    if names is None and isinstance(labels, (str, os.PathLike)):
+        names = reader.FindFileFor(os.fspath(labels)) or None
+    if names is None:
+        return {}
+    reader.SetFileName(os.fspath(names))
+    reader.Read()
+    return {label: entry.name for label, entry in reader.GetLabelTable().items() if entry.name}
+
+
+def as_sampled_image(image: Any) -> tuple[Any, Any]:
+    """An image of floats, or one of tensors of floats; the other one is None."""
+    import itk
+
+    if isinstance(image, (str, os.PathLike)):
+        reader = itk.VolumeFileReader.New(FileName=os.fspath(image))
+        return (None, reader.ReadTensors()) if reader.HasTensors() else (reader.ReadScalars(), None)
+    tensors = itk.Image[itk.SymmetricSecondRankTensor[itk.F, 3], 3]
+    if isinstance(image, tensors):
+        return None, image
+    scalars = itk.Image[itk.F, 3]
+    if isinstance(image, scalars):
+        return image, None
+    if not isinstance(image, itk.Image):
+        raise TypeError(f"An image of type {type(image).__name__} is not taken; give an itk.Image or a file's name.")
+    array = itk.array_view_from_image(image)
+    if array.ndim != 3:
+        raise TypeError("The image has not three dimensions and one number per voxel.")
+    copy = itk.image_from_array(array.astype(np.float32))
+    copy.CopyInformation(image)
+    return copy, None
+
+
 def as_label_sizes(sizes: Any) -> str | None:
     """The text that the filter takes, such as "3:factor=0.5:max=2,7:min=1"."""
     if sizes is None or isinstance(sizes, str):

@@ -47,6 +47,10 @@ class MultiMaterialMesh:
     report : types.SimpleNamespace
         What was expected (estimate), counts (particles, steiner_points), labels without tetrahedra and their voxels
         (vanished_labels), what was merged (islands, by label), the seconds and memory of the stages.
+    names : dict[int, str]
+        What labels are called, for those that have a name. Files get them.
+    cell_data : dict[str, ndarray]
+        Numbers of the tetrahedra, by name: (m,), (m, 3) or (m, 3, 3), such as those of sample(). Files get them.
     """
 
     def __init__(
@@ -57,6 +61,7 @@ class MultiMaterialMesh:
         triangles: NDArray[np.int64],
         triangle_labels: NDArray[np.int32],
         report: SimpleNamespace,
+        names: Mapping[int, str] | None = None,
     ) -> None:
         self.points = points
         self.tetrahedra = tetrahedra
@@ -64,6 +69,8 @@ class MultiMaterialMesh:
         self.triangles = triangles
         self.triangle_labels = triangle_labels
         self.report = report
+        self.names = dict(names or {})
+        self.cell_data: dict[str, NDArray[np.float64]] = {}
 
     def __repr__(self) -> str:
         labels = ", ".join(str(label) for label in np.unique(self.triangle_labels))
@@ -83,7 +90,30 @@ class MultiMaterialMesh:
         else:
             mesh = pyvista.UnstructuredGrid({pyvista.CellType.TETRA: self.tetrahedra}, self.points)
             mesh.cell_data["label"] = self.labels
+            for name, values in self.cell_data.items():
+                mesh.cell_data[name] = values if np.ndim(values) == 1 else np.reshape(values, (len(self.labels), -1))
         return mesh
+
+    def sample(self, image: Any, mode: str = "mean") -> NDArray[np.float64]:
+        """What another image is in each tetrahedron; NaN where that is outside of the image.
+
+        Parameters
+        ----------
+        image : the name of a file, or an itk.Image, of numbers or of symmetric tensors in LPS.
+        mode : "mean" over the tetrahedron, or at its center, "nearest" or "linear".
+
+        Returns
+        -------
+        (m,) numbers, or (m, 3, 3) of tensors.
+        """
+        import itk
+
+        sampler = itk.TetrahedronImageSampler.New(Mesh=_to_itk(self.points, self.tetrahedra, self.labels), Mode=mode)
+        with _errors_in_one_line():
+            scalars, tensors = _inputs.as_sampled_image(image)
+            if tensors is not None:
+                return np.array(sampler.SampleTensors(tensors)).reshape(-1, 3, 3)
+            return np.array(sampler.Sample(scalars))
 
     def to_meshio(self) -> Any:
         """The tetrahedra, if there are any, and the triangles as meshio.Mesh. The cell data "label_a" and "label_b" of
@@ -126,6 +156,10 @@ class MultiMaterialMesh:
         writer.SetSurface(_to_itk(self._surface_points(), self.triangles, self.triangle_labels))
         if not surface and len(self.tetrahedra) and writer.FindExtension(path, writer.GetVolumeExtensions()):
             writer.SetTetrahedra(_to_itk(self.points, self.tetrahedra, self.labels))
+            for name, values in self.cell_data.items():
+                writer.AddCellData(name, np.asarray(values, float).ravel().tolist())
+        for label, name in self.names.items():
+            writer.SetLabelName(int(label), name)
         with _errors_in_one_line():
             writer.Write()
 
@@ -151,6 +185,7 @@ def multimaterial_mesh(
     label_sizes: str | Mapping[int, float | Mapping[str, float]] | None = None,
     seed: int = 1,
     surface_only: bool = False,
+    names: str | os.PathLike[str] | Mapping[int, str] | None = None,
     **options: Any,
 ) -> MultiMaterialMesh:
     """Mesh a label image: conforming tetrahedra of all labels at once, and the triangles between them.
@@ -179,6 +214,8 @@ def multimaterial_mesh(
         the label's interfaces), "min" and "max"; for instance {3: {"factor": 0.5, "max": 2}, 7: 1.5}. Default: none.
     seed : another one gives another mesh of the same kind, at least 0. Default: 1.
     surface_only : leave out the interior, in about half the time: there are no tetrahedra. Default: False.
+    names : what labels are called, by label, or the name of a file as of --names. Default: for the name of a file, what
+        is in it or beside it, as on the command line; {} for none.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
         for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, maximum_memory=8.0 (GB),
         maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with region_maximum_size=1.0.
@@ -216,12 +253,13 @@ def multimaterial_mesh(
         **options,
     }
     with _errors_in_one_line():
+        label_names = _inputs.as_names(names, labels)
         mesher = itk.LabelImageToTetrahedralMeshFilter.New(_inputs.as_image(labels, spacing))
         for name, value in settings.items():
             if value is not None:
                 _inputs.set_option(mesher, name, value)
         mesher.Update()
-    return _from_filter(mesher)
+    return _from_filter(mesher, label_names)
 
 
 @contextlib.contextmanager
@@ -234,7 +272,7 @@ def _errors_in_one_line() -> Iterator[None]:
         raise RuntimeError(" ".join(words.split())) from None
 
 
-def _from_filter(mesher: Any) -> MultiMaterialMesh:
+def _from_filter(mesher: Any, names: dict[int, str]) -> MultiMaterialMesh:
     import itk
 
     def cells(mesh: Any, corners: int) -> NDArray[np.int64]:
@@ -257,6 +295,7 @@ def _from_filter(mesher: Any) -> MultiMaterialMesh:
         cells(surface, 3),
         np.array(surface.GetCellData(), np.int32).reshape(-1, 2),
         report,
+        names,
     )
 
 
