@@ -27,6 +27,7 @@
 #include "itkImageToMeshFilter.h"
 
 #include <map>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -215,6 +216,12 @@ public:
   {
     return m_Results.sizingImage;
   }
+
+  /** Writes what was meshed, with which settings, and what came out: as a page to look at in a browser if the name ends
+   * with .html, see MakeMeshPage(), else as JSON, see MakeMeshReport(). The outputs have to be the filter's still. The
+   * topology is in it with CompareTopology. Throws an ExceptionObject before Update(), and if it cannot be written. */
+  void
+  WriteReport(const std::string & fileName);
 
 protected:
   LabelImageToTetrahedralMeshFilter() = default;

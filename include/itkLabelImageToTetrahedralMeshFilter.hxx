@@ -18,6 +18,7 @@
 #ifndef itkLabelImageToTetrahedralMeshFilter_hxx
 #define itkLabelImageToTetrahedralMeshFilter_hxx
 
+#include "itkFilterReport.h"
 #include "itkImageConversion.h"
 #include "itkPrintHelper.h"
 
@@ -50,6 +51,19 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetIndicatorImage(L
                       << label << '.' << (m_KeepIntermediates ? "" : " KeepIntermediates is off."));
   }
   return m_Results.indicatorImages[place - labels.begin()];
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::WriteReport(const std::string & fileName)
+{
+  if (this->GetSurface()->GetNumberOfCells() == 0)
+  {
+    itkExceptionMacro("There is no mesh to report on. Call Update() first, and write reports before the outputs are "
+                      "taken away.");
+  }
+  const FilterReport<Self> report(*this);
+  WriteMeshReport(fileName, report.GetFacts(), report.GetDetails());
 }
 
 template <typename TLabelImage, typename TOutputMesh>

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "report/Json.h"
 
+#include "report/UTF8.h"
+
 #include "itkNumberToString.h"
 
 #include <cmath>
@@ -25,45 +27,14 @@ namespace mmm
 {
 namespace
 {
-/** The number of bytes of the UTF-8 character that begins here, or 0 if there is none. */
-std::size_t
-CharacterSize(const std::string & text, std::size_t at)
-{
-  const auto        first = static_cast<unsigned char>(text[at]);
-  const std::size_t size = first < 0x80                    ? 1
-                           : first >= 0xC2 && first < 0xE0 ? 2
-                           : first >= 0xE0 && first < 0xF0 ? 3
-                           : first >= 0xF0 && first < 0xF5 ? 4
-                                                           : 0;
-  if (at + size > text.size())
-  {
-    return 0;
-  }
-  for (std::size_t n = 1; n < size; ++n)
-  {
-    if ((static_cast<unsigned char>(text[at + n]) & 0xC0) != 0x80)
-    {
-      return 0;
-    }
-  }
-  return size;
-}
-
 std::string
 Quoted(const std::string & text)
 {
-  const char * const replacement = "\xEF\xBF\xBD";
   const char * const digits = "0123456789abcdef";
   std::string        quoted = "\"";
-  for (std::size_t at = 0; at < text.size();)
+  for (const char c : ToUTF8(text))
   {
-    const char        c = text[at];
-    const std::size_t size = CharacterSize(text, at);
-    if (size == 0)
-    {
-      quoted += replacement;
-    }
-    else if (c == '"' || c == '\\')
+    if (c == '"' || c == '\\')
     {
       quoted += std::string("\\") + c;
     }
@@ -73,9 +44,8 @@ Quoted(const std::string & text)
     }
     else
     {
-      quoted += text.substr(at, size);
+      quoted += c;
     }
-    at += size == 0 ? 1 : size;
   }
   return quoted + '"';
 }
