@@ -22,9 +22,8 @@
 
 #include "itkOutputWindow.h"
 
+#include <algorithm>
 #include <iostream>
-#include <set>
-#include <vector>
 
 namespace cli
 {
@@ -32,7 +31,8 @@ namespace
 {
 bool                     areHeld = false;
 std::vector<std::string> held;
-std::set<std::string>    told;
+/** In their order. */
+std::vector<std::string> told;
 
 class WarningWindow : public itk::OutputWindow
 {
@@ -65,10 +65,17 @@ Warn(const std::string & text)
   {
     held.push_back(text);
   }
-  else if (told.insert(text).second)
+  else if (std::find(told.begin(), told.end(), text) == told.end())
   {
+    told.push_back(text);
     std::cerr << "multimaterial-mesh: warning: " << text << std::endl;
   }
+}
+
+std::vector<std::string>
+GetWarnings()
+{
+  return told;
 }
 
 void

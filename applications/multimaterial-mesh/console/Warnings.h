@@ -19,12 +19,17 @@
 #define Warnings_h
 
 #include <string>
+#include <vector>
 
 namespace cli
 {
 /** Prints one line on stderr, each text once. */
 void
 Warn(const std::string & text);
+
+/** Those that were printed, in their order. */
+std::vector<std::string>
+GetWarnings();
 
 /** Between the two, warnings are kept back. */
 void

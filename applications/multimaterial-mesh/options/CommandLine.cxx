@@ -224,7 +224,8 @@ public:
                                                        }
                                                        this_.m_Settings.*field = texts;
                                                      })
-      ->type_name(m_Option.placeholder);
+      ->type_name(m_Option.placeholder)
+      ->allow_extra_args(m_Option.kind == Kind::ScalarImages);
   }
 
   void

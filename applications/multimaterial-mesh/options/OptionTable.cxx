@@ -177,8 +177,9 @@ MakeTable()
     { "Quality", "How good tetrahedra have to be, and how good they are", {
     { "max-volume", PARAMETER(maxVolume, MaximumVolume), Kind::Real, "V", "mm^3", Positive, "no limit",
       "Volume that no tetrahedron is to exceed; edges are kept short enough for that." },
-    { "report", &S::report, Kind::Report, "FILE.json", "", AnyValue, "",
-      "Write parameters, time and memory per stage, counts, quality and topology per label." } } },
+    { "report", &S::reports, Kind::Report, "FILE", "", AnyValue, "",
+      "Write parameters, time and memory per stage, counts, quality and topology per label: as a page to look at in a "
+      "browser if FILE ends with .html, else as JSON. For both, give the option again." } } },
 
     { "Advanced", "How the program runs", {
     { "expect", &S::expectOnly, Kind::Flag, "", "", AnyValue, "",

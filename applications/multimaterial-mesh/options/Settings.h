@@ -69,7 +69,9 @@ struct Settings
   std::vector<Hull> hulls;
   std::string       mshFormat{ "4.1" };
   bool              ras{ false };
-  std::string       report;
+
+  /** Pages to look at and JSON, by their extensions. */
+  std::vector<std::string> reports;
 
   /** Files: what labels are called, or "none"; what they conduct; and images to sample. */
   std::string                  names;

@@ -88,7 +88,7 @@ Element(const Option & option, std::string & attributes)
       attributes = " type=\"model\" fileExtensions=\".vtu\"" + reference;
       return "geometry";
     case Kind::Report:
-      attributes = " fileExtensions=\".json\"";
+      attributes = " fileExtensions=\".json,.html\"";
       return "file";
     default:
       return "string";

@@ -106,7 +106,7 @@ Configure(MeshFilter * filter, const Settings & settings)
     filter->SetMaximumMemory(memory);
   }
   filter->SetSizingImageReplaces(settings.sizingMode == "replace");
-  filter->SetCompareTopology(!settings.report.empty());
+  filter->SetCompareTopology(!settings.reports.empty());
   filter->SetKeepIntermediates(!settings.indicatorPrefix.empty() || !settings.sizingFile.empty());
   if (!settings.sizingImage.empty())
   {

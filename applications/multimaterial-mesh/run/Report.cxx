@@ -17,15 +17,18 @@
  *=========================================================================*/
 #include "run/Report.h"
 
+#include "console/Warnings.h"
 #include "options/OptionTable.h"
 #include "options/Version.h"
-#include "itkMeshReport.h"
+#include "run/Summary.h"
+#include "itkMeshPage.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace cli
@@ -33,6 +36,13 @@ namespace cli
 namespace
 {
 using Json = nlohmann::ordered_json;
+
+/** File names need not be UTF-8, JSON has to be. */
+std::string
+ToText(const Json & json, int indent = -1)
+{
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
 
 Json
 Number(double value)
@@ -234,10 +244,8 @@ HullSection(const Outcome & outcome)
   return section;
 }
 
-} // namespace
-
-std::string
-MakeReport(const Outcome & outcome)
+itk::MeshFacts
+FactsOf(const Outcome & outcome)
 {
   const MeshFilter & filter = *outcome.filter;
   itk::MeshFacts     facts;
@@ -253,7 +261,13 @@ MakeReport(const Outcome & outcome)
   facts.meshedRegion = filter.GetMeshedRegion();
   facts.quality = outcome.settings.surfaceOnly ? nullptr : &outcome.quality;
   facts.surfaceQuality = outcome.surfaceQuality;
+  return facts;
+}
 
+/** The run as JSON text. Numbers that are not finite are null. */
+std::string
+MakeReport(const Outcome & outcome, const itk::MeshFacts & facts)
+{
   Json report;
   report["program"] = "multimaterial-mesh";
   report["version"] = GetVersion();
@@ -274,9 +288,68 @@ MakeReport(const Outcome & outcome)
   }
   report["seconds"] = Number(outcome.seconds);
   report["parameters"] = ParameterSection(outcome.settings);
-  // File names need not be UTF-8, JSON has to be.
-  const std::string own = report.dump(2, ' ', false, Json::error_handler_t::replace);
+  const std::string own = ToText(report, 2);
   // one object of both: without the last brace and the first one
   return own.substr(0, own.size() - 2) + "," + itk::MakeMeshReport(facts).substr(1);
+}
+
+/** A row of a table for each member of an object but the lists by label, which have tables of their own. */
+void
+AddRows(const Json & object, itk::MeshPageDetails::RowsType & rows)
+{
+  for (const auto & [name, value] : object.items())
+  {
+    if (name != "labels")
+    {
+      rows.emplace_back(name, value.is_string() ? value.get<std::string>() : value.is_null() ? "" : ToText(value));
+    }
+  }
+}
+
+itk::MeshPageDetails
+DetailsOf(const Outcome & outcome)
+{
+  const Settings &     settings = outcome.settings;
+  itk::MeshPageDetails details;
+  details.title = settings.indicators.empty() ? std::filesystem::path(settings.labels).filename().string()
+                                              : std::to_string(settings.indicators.size()) + " indicators";
+  details.input.emplace_back("program", "multimaterial-mesh " + GetVersion());
+  AddRows(InputSection(outcome), details.input);
+  for (const std::string & file : outcome.files)
+  {
+    details.input.emplace_back("written", file);
+  }
+  details.input.emplace_back("seconds", ToText(Number(outcome.seconds)));
+  AddRows(ParameterSection(settings), details.settings);
+  details.warnings = GetWarnings();
+  for (const auto & entry : outcome.quality.labels)
+  {
+    // the exterior's volume is that of the box, not of its voxels
+    if (!settings.IsExterior(entry.label))
+    {
+      details.voxels[entry.label] = CountVoxels(outcome, entry.label);
+    }
+  }
+  details.labelAt = [&image = *outcome.input.labels](const itk::Index<3> & index) { return image.GetPixel(index); };
+  return details;
+}
+} // namespace
+
+void
+WriteReports(Outcome & outcome)
+{
+  const auto & names = outcome.settings.reports;
+  if (names.empty())
+  {
+    return;
+  }
+  outcome.files.insert(outcome.files.end(), names.begin(), names.end());
+  const itk::MeshFacts facts = FactsOf(outcome);
+  itk::MeshPageDetails details = DetailsOf(outcome);
+  details.json = MakeReport(outcome, facts);
+  for (const std::string & name : names)
+  {
+    itk::WriteMeshReport(name, facts, details);
+  }
 }
 } // namespace cli

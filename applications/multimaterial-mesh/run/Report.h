@@ -20,13 +20,11 @@
 
 #include "run/Outcome.h"
 
-#include <string>
-
 namespace cli
 {
-/** \brief The run as JSON text. Numbers that are not finite are null. */
-std::string
-MakeReport(const Outcome & outcome);
+/** Write all that --report names, JSON and pages, and list them. Throw where one cannot be written. */
+void
+WriteReports(Outcome & outcome);
 } // namespace cli
 
 #endif

@@ -27,7 +27,6 @@
 #include "run/Report.h"
 #include "run/Summary.h"
 #include "itkMeshReport.h"
-#include "itkOutputFile.h"
 #include "itkTetrahedralMeshQualityCalculator.h"
 
 #include "itkMultiThreaderBase.h"
@@ -172,14 +171,10 @@ Run(Settings settings)
   outcome.seconds = clock.GetSeconds();
   outcome.settings.fillExterior = settings.IsFilled();
   outcome.settings.threads = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
-  if (!settings.report.empty())
-  {
-    outcome.files.push_back(settings.report);
-    itk::OutputFile::WriteWhole(settings.report, MakeReport(outcome));
-  }
   WarnOfVanishedLabels(settings, *outcome.filter);
   WarnOfMergedIslands(*outcome.filter);
   WarnOfLargeTetrahedra(outcome);
+  WriteReports(outcome);
   if (!settings.quiet)
   {
     PrintSummary(std::cout, outcome);

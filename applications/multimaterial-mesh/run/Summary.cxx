@@ -39,6 +39,7 @@ CountMeshedLabels(const Outcome & outcome)
   const auto   isMeshed = [&](int label) { return settings.IsFilled() || !settings.IsExterior(label); };
   return std::count_if(labels.begin(), labels.end(), isMeshed) - outcome.filter->GetVanishedLabels().size();
 }
+
 /** The image's volume with this label, in mm^3: after islands were merged. */
 double
 VolumeInImage(const Outcome & outcome, int label)
@@ -46,19 +47,7 @@ VolumeInImage(const Outcome & outcome, int label)
   const auto & image = *outcome.input.labels;
   const auto & spacing = image.GetSpacing();
   const double voxel = spacing[0] * spacing[1] * spacing[2] * std::abs(vnl_det(image.GetDirection().GetVnlMatrix()));
-  const auto & records = outcome.filter->GetIslandRecords();
-  const auto   record = records.find(label);
-  const auto   voxels = outcome.input.voxels.find(label);
-  std::size_t  count = 0;
-  if (record != records.end())
-  {
-    count = record->second.voxelsAfter;
-  }
-  else if (voxels != outcome.input.voxels.end())
-  {
-    count = voxels->second;
-  }
-  return voxel * static_cast<double>(count);
+  return voxel * static_cast<double>(CountVoxels(outcome, label));
 }
 
 /** A line for each of the labels, the worst ones if there are many. */
@@ -97,6 +86,19 @@ PrintLabels(std::ostream & os, const Outcome & outcome)
   }
 }
 } // namespace
+
+std::size_t
+CountVoxels(const Outcome & outcome, int label)
+{
+  const auto & records = outcome.filter->GetIslandRecords();
+  const auto   record = records.find(label);
+  if (record != records.end())
+  {
+    return record->second.voxelsAfter;
+  }
+  const auto voxels = outcome.input.voxels.find(label);
+  return voxels == outcome.input.voxels.end() ? 0 : voxels->second;
+}
 
 void
 PrintSummary(std::ostream & os, const Outcome & outcome)

@@ -24,6 +24,10 @@
 
 namespace cli
 {
+/** The image's voxels with this label, after islands were merged. */
+std::size_t
+CountVoxels(const Outcome & outcome, int label);
+
 /** Prints a few lines on what was made. */
 void
 PrintSummary(std::ostream & os, const Outcome & outcome);
