@@ -17,6 +17,7 @@
 """itk.multimaterial_mesh(): all that it takes, all that it gives, and what it says about all else."""
 
 import copy
+import json
 import pathlib
 import pickle
 import re
@@ -333,3 +334,22 @@ def test_first_lines_of_the_page(spheres, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     exec(code, {})
     assert (tmp_path / "head.vtu").stat().st_size > 0
+
+
+def test_report_is_a_page_or_json_by_its_name(spheres, mesh, tmp_path):
+    page, numbers = tmp_path / "mesh.html", tmp_path / "mesh.json"
+    assert_same(itk.multimaterial_mesh(spheres, report=page), mesh)
+    text = page.read_text(encoding="utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    embedded = json.loads(re.search(r'<script type="application/json" id="report">(.*?)</script>', text, re.S)[1])
+    itk.multimaterial_mesh(spheres, report=str(numbers))
+    report = json.loads(numbers.read_text())
+    assert embedded["counts"] == report["counts"] and embedded["quality"] == report["quality"]
+    assert report["counts"]["tetrahedra"] == len(mesh.tetrahedra)
+    # the labels' topology is compared
+    assert [label["label"] for label in report["topology"]["betti_numbers"]]
+
+
+def test_report_that_cannot_be_written_says_why(spheres, tmp_path):
+    with pytest.raises(RuntimeError, match="the folder"):
+        itk.multimaterial_mesh(spheres, report=tmp_path / "missing/mesh.html")

@@ -186,6 +186,7 @@ def multimaterial_mesh(
     seed: int = 1,
     surface_only: bool = False,
     names: str | os.PathLike[str] | Mapping[int, str] | None = None,
+    report: str | os.PathLike[str] | None = None,
     **options: Any,
 ) -> MultiMaterialMesh:
     """Mesh a label image: conforming tetrahedra of all labels at once, and the triangles between them.
@@ -216,6 +217,8 @@ def multimaterial_mesh(
     surface_only : leave out the interior, in about half the time: there are no tetrahedra. Default: False.
     names : what labels are called, by label, or the name of a file as of --names. Default: for the name of a file, what
         is in it or beside it, as on the command line; {} for none.
+    report : a file to write on what was meshed and what came out: a page to look at in a browser if the name ends with
+        .html, else JSON. It has the labels' topology, too (compare_topology). Default: none.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
         for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, maximum_memory=8.0 (GB),
         maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with region_maximum_size=1.0.
@@ -250,6 +253,7 @@ def multimaterial_mesh(
         "label_sizes": _inputs.as_label_sizes(label_sizes),
         "seed": seed,
         "surface_only": surface_only,
+        **({} if report is None else {"compare_topology": True}),
         **options,
     }
     with _errors_in_one_line():
@@ -259,6 +263,8 @@ def multimaterial_mesh(
             if value is not None:
                 _inputs.set_option(mesher, name, value)
         mesher.Update()
+        if report is not None:
+            mesher.WriteReport(os.fspath(report))
     return _from_filter(mesher, label_names)
 
 
