@@ -27,7 +27,7 @@ matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402  it asks for a screen otherwise
 
 sys.path.insert(0, snakemake.scriptdir)  # noqa: F821  snakemake defines it
-from table import write_table  # noqa: E402
+from table import write_page, write_table  # noqa: E402
 
 
 def draw(files, picture):
@@ -50,6 +50,7 @@ def draw(files, picture):
 def main():
     subjects = [pathlib.Path(file).stem for file in snakemake.input]  # noqa: F821
     write_table(snakemake.output.table, snakemake.params.folder, subjects)  # noqa: F821
+    write_page(snakemake.output.page, snakemake.params.folder, subjects)  # noqa: F821
     draw(snakemake.input, snakemake.output.picture)  # noqa: F821
 
 

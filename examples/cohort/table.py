@@ -17,8 +17,10 @@
 """Sums up the reports of multimaterial-mesh in a table and a picture. Snakemake runs it, see Snakefile."""
 """The table of a cohort: a row for each image, with what its mesh is like or why there is none."""
 
+import html
 import json
 import pathlib
+import urllib.parse
 
 COLUMNS = (
     "subject",
@@ -69,9 +71,9 @@ def failure(log):
     return "ended from outside: cancelled, or beyond its time or memory"
 
 
-def write_table(file, folder, subjects):
+def make_rows(folder, subjects):
     """Of the reports in meshes/ and the logs in logs/."""
-    folder, rows = pathlib.Path(folder), [COLUMNS]
+    folder, rows = pathlib.Path(folder), []
     for subject in subjects:
         report = folder / f"meshes/{subject}.json"
         if report.exists():
@@ -79,5 +81,31 @@ def write_table(file, folder, subjects):
         else:
             empty = [""] * (len(COLUMNS) - 2)
             rows.append((subject, *empty, failure(folder / f"logs/{subject}.log")))
+    return rows
+
+
+def write_table(file, folder, subjects):
+    rows = [COLUMNS, *make_rows(folder, subjects)]
     pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
     pathlib.Path(file).write_text("".join("\t".join(str(value) for value in row) + "\n" for row in rows))
+
+
+def write_page(file, folder, subjects):
+    """The table with links to the pages of the meshes, which are in meshes/ beside it."""
+    head = "".join(f'<th scope="col">{column.replace("_", " ")}</th>' for column in COLUMNS)
+    lines = []
+    for subject, *values in make_rows(folder, subjects):
+        name, page = html.escape(subject), f"meshes/{subject}.html"
+        if (pathlib.Path(folder) / page).exists():
+            name = f'<a href="{urllib.parse.quote(page)}">{name}</a>'
+        cells = "".join(f"<td>{html.escape(str(value))}</td>" for value in values)
+        lines.append(f'<tr><th scope="row">{name}</th>{cells}</tr>\n')
+    pathlib.Path(file).parent.mkdir(parents=True, exist_ok=True)
+    pathlib.Path(file).write_text(
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="color-scheme" content="light dark">'
+        "<title>Meshes</title><style>body { font: 15px system-ui, sans-serif } th, td { padding: .2rem .7rem; "
+        "border-bottom: 1px solid; text-align: right } table { border-collapse: collapse }</style></head>\n<body>"
+        f"<h1>Meshes</h1>\n<table><thead><tr>{head}</tr></thead>\n<tbody>\n{''.join(lines)}</tbody></table>\n"
+        "</body></html>\n",
+        encoding="utf-8",
+    )

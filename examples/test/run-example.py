@@ -129,6 +129,11 @@ def cohort():
     assert sorted(row["subject"] for row in rows) == ["phantom-5.0mm", "phantom-6.0mm"], rows
     for row in rows:
         assert row["open_edges"] == "0" and row["labels_vanished"] == "0" and float(row["smallest_angle_deg"]) > 5, row
+    page = pathlib.Path("out/cohort/quality.html").read_text()
+    for row in rows:
+        link = f'<a href="meshes/{row["subject"]}.html">{row["subject"]}</a>'
+        assert link in page, page
+        assert "<!DOCTYPE html>" in pathlib.Path(f"out/cohort/meshes/{row['subject']}.html").read_text()
     check_pictures("out/cohort/quality.png")
     assert "Nothing to be done" in run(*command)
 
