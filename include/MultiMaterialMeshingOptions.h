@@ -110,6 +110,8 @@ struct MeshingOptions
   std::uint64_t seed{ 1 };
   /** Leave out the interior: only the surface is made. */
   bool surfaceOnly{ false };
+  /** The order of the elements, 1 or 2: with 2, edges on interfaces have mid-nodes on the interfaces. */
+  unsigned int elementOrder{ 1 };
   /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
    * region, see MeshingReport::topology. */
   bool compareTopology{ false };

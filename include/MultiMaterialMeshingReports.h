@@ -157,6 +157,22 @@ struct OptimizationReport
   int         rounds{ 0 };
 };
 
+/** \brief The edges on interfaces of a second-order mesh; all but the Jacobian are 0 or empty for one of first order.
+ */
+struct CurvingReport
+{
+  /** Edges between labels, but those that are straight on the faces of the image's box in any case. */
+  std::size_t edges{ 0 };
+  /** Those of them that are straight as their interface is not close to their middle. */
+  std::size_t withoutPlace{ 0 };
+  /** Those that are straight as they would turn a tetrahedron inside out, or nearly so. */
+  std::size_t inverting{ 0 };
+  /** The least lower bound of the determinant of a tetrahedron's Jacobian, in units of that with straight edges. */
+  double smallestJacobian{ 1.0 };
+  /** Volumes of the curved tetrahedra by label, in mm^3. */
+  std::map<int, double> volumes;
+};
+
 /** How well the points of a surface follow the edge length that is asked for. */
 struct SamplingReport
 {
@@ -209,6 +225,7 @@ struct MeshingReport
   /** What became worse than was asked for, in sentences; the filters give them out as warnings. */
   std::vector<std::string> warnings;
   OptimizationReport       optimization;
+  CurvingReport            curving;
   /** Of the final surface, against the sizes that were asked for. */
   SamplingReport sampling;
   /** Of the particles between which the surface was found, against the cells that they were put on. */

@@ -75,6 +75,7 @@ struct MeshingOutputs
   itk::LabelInterfaceMesh *                           surface;
   itk::LabelParticleMesh *                            particles;
   itk::LabelJunctionMesh *                            junctions;
+  itk::LabelMidNodeMesh *                             midNodes;
   std::function<void(const itk::TetrahedronArrays &)> setTetrahedra;
 };
 

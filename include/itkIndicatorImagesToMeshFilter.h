@@ -51,6 +51,7 @@ namespace itk
  * - 3, GetJunctions(): lines and vertices, the curves and points of the surface where three and more labels meet, with
  *   these labels as cell data. The faces of the image's box count as well, so that the edges and corners of cuts are
  *   among them; their label is that of the outside.
+ * - 4, GetMidNodes(): what makes the elements those of second order, see SetElementOrder().
  *
  * Points of the surface are the first ones of the tetrahedra, in the same order. The image's box cuts the materials
  * flat, with sharp edges; what is beyond counts as outside, like the exterior material.

@@ -50,6 +50,7 @@ namespace itk
  * - GetParticles(): the points of the surface, with the labels that meet there.
  * - GetJunctions(): the curves and points of the surface where three and more labels meet, as lines and vertices, with
  * these labels; likewise the edges and corners of the image's box.
+ * - GetMidNodes(): what makes the elements those of second order, see SetElementOrder().
  *
  * Where the image's border cuts a label the mesh ends at the face of the image's box, flat and with sharp edges.
  *

@@ -50,6 +50,7 @@ public:
   using SurfaceMeshType = LabelInterfaceMesh;
   using ParticleMeshType = LabelParticleMesh;
   using JunctionMeshType = LabelJunctionMesh;
+  using MidNodeMeshType = LabelMidNodeMesh;
   using LabelType = int;
   using LabelsType = std::vector<LabelType>;
   using StageRecordsType = std::vector<mmm::StageRecord>;
@@ -72,6 +73,12 @@ public:
    * it; if they do not, there are more, which is a warning. Not with SurfaceOnly. */
   itkSetMacro(NumberOfTetrahedra, SizeValueType);
   itkGetConstMacro(NumberOfTetrahedra, SizeValueType);
+  /** The order of the elements, 1 or 2. ITK has no cell of ten nodes, so that the meshes have the corners of
+   * second-order elements only, which are on the interfaces; GetMidNodes() has the curved edges between them,
+   * LabelMeshFileWriter makes second-order elements of both, and GetReport().curving tells volumes and what had to stay
+   * straight. The flat triangles alone lie inside of convex labels, other than those of order 1. Default: 1. */
+  itkSetMacro(ElementOrder, unsigned int);
+  itkGetConstMacro(ElementOrder, unsigned int);
 
   /** Compare the components, tunnels and cavities of each label in the mesh with those of the largest indicator's
    * region, see MeshingReport::topology. Default: false. */
@@ -96,6 +103,9 @@ public:
   /** The curves and points of the surface where three and more labels meet. */
   JunctionMeshType *
   GetJunctions();
+  /** The mid-nodes of curved edges; there are none if ElementOrder is 1. */
+  MidNodeMeshType *
+  GetMidNodes();
 
   /** What was expected, counts of the particles and how their relaxation went, known after Update(); after an
    * exception, as far as the work had come. The estimate is there for observers of ProgressEvent as soon as the stage
@@ -126,7 +136,7 @@ public:
     return m_State.log.progress;
   }
 
-  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(), 3 is GetJunctions(). */
+  /** Output 0 is GetOutput(), 1 is GetSurface(), 2 is GetParticles(), 3 is GetJunctions(), 4 is GetMidNodes(). */
   using DataObjectPointerArraySizeType = ProcessObject::DataObjectPointerArraySizeType;
   using Superclass::MakeOutput;
   DataObject::Pointer
@@ -161,6 +171,7 @@ private:
   std::uint64_t m_Seed{ 1 };
   bool          m_SurfaceOnly{ false };
   SizeValueType m_NumberOfTetrahedra{ 0 };
+  unsigned int  m_ElementOrder{ 1 };
   bool          m_CompareTopology{ false };
   SizeValueType m_MaximumNumberOfTetrahedra{ NumericTraits<SizeValueType>::max() };
   double        m_MaximumMemory{ std::numeric_limits<double>::infinity() };

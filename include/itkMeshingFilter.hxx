@@ -23,8 +23,8 @@ namespace itk
 template <typename TSuperclass>
 MeshingFilter<TSuperclass>::MeshingFilter()
 {
-  this->SetNumberOfRequiredOutputs(4);
-  for (DataObjectPointerArraySizeType n = 0; n < 4; ++n)
+  this->SetNumberOfRequiredOutputs(5);
+  for (DataObjectPointerArraySizeType n = 0; n < 5; ++n)
   {
     this->SetNthOutput(n, Self::MakeOutput(n));
   }
@@ -42,6 +42,8 @@ MeshingFilter<TSuperclass>::MakeOutput(DataObjectPointerArraySizeType index)
       return ParticleMeshType::New().GetPointer();
     case 3:
       return JunctionMeshType::New().GetPointer();
+    case 4:
+      return MidNodeMeshType::New().GetPointer();
     default:
       return Superclass::MakeOutput(index);
   }
@@ -66,6 +68,13 @@ auto
 MeshingFilter<TSuperclass>::GetJunctions() -> JunctionMeshType *
 {
   return dynamic_cast<JunctionMeshType *>(this->ProcessObject::GetOutput(3));
+}
+
+template <typename TSuperclass>
+auto
+MeshingFilter<TSuperclass>::GetMidNodes() -> MidNodeMeshType *
+{
+  return dynamic_cast<MidNodeMeshType *>(this->ProcessObject::GetOutput(4));
 }
 
 template <typename TSuperclass>
@@ -99,6 +108,7 @@ MeshingFilter<TSuperclass>::GetMeshingOptions() const
   options.seed = m_Seed;
   options.surfaceOnly = m_SurfaceOnly;
   options.numberOfTetrahedra = m_NumberOfTetrahedra;
+  options.elementOrder = m_ElementOrder;
   options.compareTopology = m_CompareTopology;
   options.maximumNumberOfTetrahedra = m_MaximumNumberOfTetrahedra;
   options.maximumMemory = m_MaximumMemory;
@@ -114,6 +124,7 @@ MeshingFilter<TSuperclass>::GetMeshingOutputs()
   return { this->GetSurface(),
            this->GetParticles(),
            this->GetJunctions(),
+           this->GetMidNodes(),
            [tetrahedra](const TetrahedronArrays & arrays) { FillMesh(arrays, tetrahedra); } };
 }
 
@@ -135,6 +146,7 @@ MeshingFilter<TSuperclass>::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "Seed: " << m_Seed << std::endl;
   os << indent << "SurfaceOnly: " << (m_SurfaceOnly ? "On" : "Off") << std::endl;
   os << indent << "NumberOfTetrahedra: " << m_NumberOfTetrahedra << std::endl;
+  os << indent << "ElementOrder: " << m_ElementOrder << std::endl;
   os << indent << "CompareTopology: " << (m_CompareTopology ? "On" : "Off") << std::endl;
   os << indent << "MaximumNumberOfTetrahedra: " << m_MaximumNumberOfTetrahedra << std::endl;
   os << indent << "MaximumMemory: " << m_MaximumMemory << std::endl;

@@ -40,6 +40,12 @@ using LabelParticleMesh = Mesh<FixedArray<int, 5>, 3, DefaultStaticMeshTraits<Fi
  * of the one before. The cell data is the number of the curve, or -1 for a point; how many labels meet; and the first
  * four of them, sorted, the last one repeated to fill the four places. */
 using LabelJunctionMesh = Mesh<FixedArray<int, 6>, 3, DefaultStaticMeshTraits<FixedArray<int, 6>, 3, 3, double>>;
+
+/** What makes tetrahedra, and triangles between them, elements of second order: the mid-nodes of the curved edges,
+ * which are edges of triangles. Points without cells; the point data is the two ends of the edge, by their numbers
+ * among the points of the tetrahedra, the lower one first. All other edges are straight, with their mid-nodes halfway.
+ */
+using LabelMidNodeMesh = Mesh<FixedArray<int, 2>, 3, DefaultStaticMeshTraits<FixedArray<int, 2>, 3, 3, double>>;
 } // namespace itk
 
 #endif

@@ -127,6 +127,7 @@ ParametersOf(const MeshingInputs & inputs)
   parameters.seed = inputs.options.seed;
   parameters.surfaceOnly = inputs.options.surfaceOnly;
   parameters.numberOfTetrahedra = inputs.options.numberOfTetrahedra;
+  parameters.secondOrder = inputs.options.elementOrder == 2;
   parameters.keepTopology = inputs.keepTopology;
   parameters.compareTopology = inputs.options.compareTopology;
   return parameters;

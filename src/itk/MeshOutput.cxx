@@ -152,6 +152,23 @@ SetJunctions(const MeshingResult &    result,
   SetPoints(mesh, geometry, points, points.size());
   SetCells(mesh, cells.GetPointer(), std::move(data));
 }
+
+void
+SetMidNodes(const CurvedEdges & edges, const GridGeometry & geometry, itk::LabelMidNodeMesh * mesh)
+{
+  std::vector<Vector> points;
+  const auto          data = itk::LabelMidNodeMesh::PointDataContainer::New();
+  auto &              ends = data->CastToSTLContainer();
+  points.reserve(edges.size());
+  ends.resize(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e)
+  {
+    points.push_back(edges[e].middle);
+    std::copy(edges[e].ends.begin(), edges[e].ends.end(), ends[e].Begin());
+  }
+  SetPoints(mesh, geometry, points, points.size());
+  mesh->SetPointData(data);
+}
 } // namespace
 
 void
@@ -166,9 +183,11 @@ SetSurfaceAndParticles(const MeshingResult &   result,
   }
   SetParticles(result.particles, geometry, labels, outputs.particles);
   SetJunctions(result, geometry, labels, outputs.junctions);
+  SetMidNodes(result.curvedEdges, geometry, outputs.midNodes);
   outputs.surface->SetBufferedRegion(outputs.surface->GetRequestedRegion());
   outputs.particles->SetBufferedRegion(outputs.particles->GetRequestedRegion());
   outputs.junctions->SetBufferedRegion(outputs.junctions->GetRequestedRegion());
+  outputs.midNodes->SetBufferedRegion(outputs.midNodes->GetRequestedRegion());
 }
 
 itk::TetrahedronArrays

@@ -19,6 +19,13 @@
 
 #include "base/Points.h"
 
+#include "itkMatrix.h"
+#include "vnl/vnl_det.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 namespace mmm
 {
 namespace
@@ -37,6 +44,26 @@ Translate(const GridGeometry & geometry, const InterfaceLabels & labels, std::ve
     Translate(geometry, place);
     place.labels = labels.OfMaterials(place.labels);
   }
+}
+
+/** By label and in physical space instead of by material and in the grid's. */
+void
+Translate(const GridGeometry & geometry, const InterfaceLabels & labels, std::map<int, double> & volumes)
+{
+  const auto            origin = geometry.ToPhysicalPoint(Vector::Zero());
+  itk::Matrix<double>   axes;
+  std::map<int, double> translated;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto axis = geometry.ToPhysicalPoint(Vector::Unit(a)) - origin;
+    std::copy(axis.Begin(), axis.End(), axes[a]);
+  }
+  const double unit = std::abs(vnl_det(axes.GetVnlMatrix()));
+  for (const auto & [material, volume] : volumes)
+  {
+    translated[labels.OfMaterial(Material(material))] = unit * volume;
+  }
+  volumes.swap(translated);
 }
 } // namespace
 
@@ -58,5 +85,6 @@ TranslateReport(const GridGeometry & geometry, const InterfaceLabels & labels, M
   {
     topology.label = labels.OfMaterial(Material(topology.label));
   }
+  Translate(geometry, labels, report.curving.volumes);
 }
 } // namespace mmm

@@ -72,6 +72,10 @@ DescribeError(const MeshingOptions & options)
   {
     words << options.numberOfTetrahedra << " tetrahedra are asked for, and the surface only. Leave out one of them.";
   }
+  else if (options.elementOrder != 1 && options.elementOrder != 2)
+  {
+    words << "The element order is " << options.elementOrder << ". It must be 1 or 2.";
+  }
   return words.str();
 }
 

@@ -46,34 +46,6 @@ Insert(Material material, MaterialList & list)
   }
 }
 
-/** The sides of the triangles, with the plane that a triangle lies in instead of the outside. */
-std::vector<std::array<Material, 2>>
-SidesWithPlanes(const InterfaceMesh &       interfaces,
-                const std::vector<Vector> & points,
-                const Grid &                grid,
-                std::size_t                 numberOfMaterials,
-                Material                    outside)
-{
-  auto sides = interfaces.sides;
-  for (std::size_t t = 0; t < sides.size(); ++t)
-  {
-    for (int plane = 0; plane < 6; ++plane)
-    {
-      const int    axis = plane / 2;
-      const double place = plane % 2 ? grid.UpperFace(axis) : grid.LowerFace(axis);
-      const auto & corners = interfaces.triangles[t];
-      if (std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
-            return std::abs(points[corner][axis] - place) < Flatness;
-          }))
-      {
-        std::replace(sides[t].begin(), sides[t].end(), outside, Material(numberOfMaterials + plane));
-        break;
-      }
-    }
-  }
-  return sides;
-}
-
 class JunctionExtractor
 {
 public:
@@ -214,6 +186,33 @@ private:
   std::vector<char>                            m_IsUsed;
 };
 } // namespace
+
+std::vector<std::array<Material, 2>>
+SidesWithPlanes(const InterfaceMesh &       interfaces,
+                const std::vector<Vector> & points,
+                const Grid &                grid,
+                std::size_t                 numberOfMaterials,
+                Material                    outside)
+{
+  auto sides = interfaces.sides;
+  for (std::size_t t = 0; t < sides.size(); ++t)
+  {
+    for (int plane = 0; plane < 6; ++plane)
+    {
+      const int    axis = plane / 2;
+      const double place = plane % 2 ? grid.UpperFace(axis) : grid.LowerFace(axis);
+      const auto & corners = interfaces.triangles[t];
+      if (std::all_of(corners.begin(), corners.end(), [&](PointId corner) {
+            return std::abs(points[corner][axis] - place) < Flatness;
+          }))
+      {
+        std::replace(sides[t].begin(), sides[t].end(), outside, Material(numberOfMaterials + plane));
+        break;
+      }
+    }
+  }
+  return sides;
+}
 
 Junctions
 ExtractJunctions(const InterfaceMesh &       interfaces,

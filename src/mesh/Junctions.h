@@ -50,10 +50,19 @@ struct Junctions
   std::vector<JunctionPoint> points;
 };
 
+/** The sides of the triangles, with the plane of the image's box that a triangle lies in, if there is one, instead of
+ * `outside`. The planes are the materials from `numberOfMaterials` on, as in IndicatorSet. */
+std::vector<std::array<Material, 2>>
+SidesWithPlanes(const InterfaceMesh &       interfaces,
+                const std::vector<Vector> & points,
+                const Grid &                grid,
+                std::size_t                 numberOfMaterials,
+                Material                    outside);
+
 /** \brief The curves and points of a mesh where three and more materials meet, the planes of the image's box included.
  *
- * The planes are the materials from `numberOfMaterials` on, as in IndicatorSet: a triangle that lies in one has it
- * instead of `outside` at its side. So the edges and corners of the box and the rims of cuts are junctions as well. */
+ * A triangle that lies in a plane has it at its side, see SidesWithPlanes(). So the edges and corners of the box and
+ * the rims of cuts are junctions as well. */
 Junctions
 ExtractJunctions(const InterfaceMesh &       interfaces,
                  const std::vector<Vector> & points,

@@ -139,6 +139,17 @@ struct InterfaceFitParameters
   static constexpr double OnFace = 1e-9;
 };
 
+/** \brief The numbers of the edges of second-order meshes. */
+struct EdgeCurvingParameters
+{
+  /** The mid-node of an edge is no further from the edge's middle than this times its length. Analysis: in half of a
+   * circle, the middle of the arc is 0.5 from its chord. */
+  static constexpr double LargestRise = 0.25;
+  /** The least Jacobian of a tetrahedron, in units of that with straight edges: shapes of elements that are distorted
+   * further spoil the order of convergence. */
+  static constexpr double LeastJacobian = 0.2;
+};
+
 /** \brief The numbers by which points slide on the interfaces that a mesh has at first. */
 struct TriangulationParameters
 {

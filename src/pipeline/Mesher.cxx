@@ -24,6 +24,7 @@
 #include "mesh/MeshInvariants.h"
 #include "mesh/MeshTopology.h"
 #include "mesh/Renumber.h"
+#include "optimize/EdgeCurving.h"
 #include "optimize/IndicatorConstraint.h"
 #include "optimize/InterfaceFit.h"
 #include "optimize/MeshCoarsening.h"
@@ -105,6 +106,12 @@ SortPoints(MeshingResult & result)
   }
   Renumber(number, result.tetrahedra.tetrahedra);
   Renumber(number, result.interfaces.triangles);
+  for (CurvedEdge & edge : result.curvedEdges)
+  {
+    const auto ends = std::minmax(number[edge.ends[0]], number[edge.ends[1]]);
+    edge.ends = { { ends.first, ends.second } };
+  }
+  std::sort(result.curvedEdges.begin(), result.curvedEdges.end());
   result.points.swap(points);
   particles = std::move(kept);
 }
@@ -162,6 +169,27 @@ HasTopologyOf(const TopologyReport &      report,
   return std::all_of(report.labels.begin(), report.labels.end(), [&](const LabelTopology & entry) {
     return topology.regions[entry.label].betti == entry.mesh;
   });
+}
+
+/** The flat triangles need not stand for the curved interfaces: the edges between them are curved instead, as far as
+ * the tetrahedra have room for that. */
+void
+CurveInterfaces(const IndicatorSet &    indicators,
+                Material                exterior,
+                const TetrahedralMesh & tetrahedra,
+                Monitor &               monitor,
+                MeshingResult &         result)
+{
+  CurvingReport & report = result.report.curving;
+  result.curvedEdges = CurveEdges(indicators, exterior, tetrahedra, result.interfaces, result.points, monitor, report);
+  if (report.withoutPlace + report.inverting > 0)
+  {
+    result.report.warnings.push_back(
+      std::to_string(report.withoutPlace + report.inverting) + " of " + std::to_string(report.edges) +
+      " edges on interfaces are straight in the second-order mesh: " + std::to_string(report.withoutPlace) +
+      " whose interface is not close to their middle, " + std::to_string(report.inverting) +
+      " that would turn a tetrahedron inside out, or nearly so.");
+  }
 }
 
 /** What else there is to say of the surface once it is final. */
@@ -280,6 +308,8 @@ BuildMesh(const IndicatorSet &      indicators,
   result.tetrahedra = complex.GetMesh();
   assert(ArePositive(result.points, result.tetrahedra.tetrahedra));
   DropMaterial(exterior, result.tetrahedra);
+  result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
+  assert(AreClosed(result.interfaces));
   if (parameters.compareTopology &&
       !HasTopologyOf(report.topology, indicators.GetNumberOfMaterials(), result.points, result.tetrahedra))
   {
@@ -288,10 +318,17 @@ BuildMesh(const IndicatorSet &      indicators,
                         .Compare(result.points, result.tetrahedra, adjacency);
   }
   monitor.BeginStage("fit of the interfaces");
-  FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
+  if (parameters.secondOrder)
+  {
+    // those that are there for the surface alone do not stay
+    CurveInterfaces(
+      indicators, exterior, parameters.surfaceOnly ? TetrahedralMesh() : result.tetrahedra, monitor, result);
+  }
+  else
+  {
+    FitInterfaces(indicators, constraint, exterior, optimization, complex, result.points, monitor);
+  }
   assert(ArePositive(result.points, result.tetrahedra.tetrahedra));
-  result.interfaces = ExtractInterfaces(result.tetrahedra, exterior);
-  assert(AreClosed(result.interfaces));
   if (parameters.surfaceOnly)
   {
     result.tetrahedra = TetrahedralMesh();

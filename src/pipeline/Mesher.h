@@ -19,6 +19,7 @@
 #define mmmMesher_h
 
 #include "MultiMaterialMeshingReports.h"
+#include "mesh/CurvedEdges.h"
 #include "mesh/InterfaceMesh.h"
 #include "mesh/Junctions.h"
 #include "optimize/MeshOptimizer.h"
@@ -34,6 +35,8 @@ struct MeshingParameters : SurfaceParameters
   bool surfaceOnly{ false };
   /** If the mesh has more tetrahedra, it is coarsened until it has so many; 0 is no limit. */
   std::size_t numberOfTetrahedra{ 0 };
+  /** Leave the points of interfaces on the interfaces, and curve the edges between them. */
+  bool secondOrder{ false };
 };
 
 /** Points, and the places of the report, are in the frame of Grid, and labels of the report are numbers of materials;
@@ -43,6 +46,8 @@ struct MeshingResult
   std::vector<Vector> points;
   InterfaceMesh       interfaces;
   TetrahedralMesh     tetrahedra;
+  /** Only where they were asked for; they are edges of `interfaces`. */
+  CurvedEdges curvedEdges;
   /** How many of `points`, the first, belong to the interfaces. */
   std::size_t numberOfSurfacePoints{ 0 };
   /** The particles on 0-, 1- and 2-cells. They are the first of `points`, in this order; there, those of curved

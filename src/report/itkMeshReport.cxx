@@ -19,6 +19,7 @@
 
 #include "mesh/TetrahedronQuality.h"
 #include "quality/Distribution.h"
+#include "report/CurvingSection.h"
 #include "report/Json.h"
 
 #include "itkContinuousIndex.h"
@@ -390,6 +391,7 @@ MakeMeshReport(const MeshFacts & facts)
   report.Add("topology", mmm::TopologySection(meshing));
   report.Add("sampling", mmm::SamplingSection(meshing));
   report.Add("optimization", mmm::OptimizationSection(meshing.optimization));
+  report.Add("second_order", mmm::CurvingSection(meshing.curving));
   report.Add("quality", mmm::QualitySection(facts));
   report.Add("stages", mmm::StageSection(*facts.stages));
   return report.ToText() + '\n';
