@@ -71,6 +71,13 @@ public:
   itkSetConstObjectMacro(Surface, LabelInterfaceMesh);
   itkGetConstObjectMacro(Surface, LabelInterfaceMesh);
 
+  /** What the elements of second order have besides their corners, GetMidNodes() of the filters. With it, which may be
+   * empty, `.vtu` and `.msh` files have triangles of six nodes and tetrahedra of ten, in the orders of VTK and Gmsh;
+   * `.stl`, `.obj`, `.off` and `.surf` have flat triangles nevertheless, and `.mesh` and "simnibs" are refused. None
+   * (null, the default) writes elements of first order. */
+  itkSetConstObjectMacro(MidNodes, LabelMidNodeMesh);
+  itkGetConstObjectMacro(MidNodes, LabelMidNodeMesh);
+
   itkSetStringMacro(FileName);
   itkGetStringMacro(FileName);
 
@@ -159,6 +166,7 @@ private:
 
   LabelTetrahedralMesh::ConstPointer m_Tetrahedra;
   LabelInterfaceMesh::ConstPointer   m_Surface;
+  LabelMidNodeMesh::ConstPointer     m_MidNodes;
   std::string                        m_FileName;
   std::string                        m_MshFormat{ "4.1" };
   bool                               m_RAS{ false };

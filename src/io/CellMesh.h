@@ -32,15 +32,22 @@
 
 namespace mmm
 {
-/** A kind of cell that Gmsh's files have. Their corners are in the same order as ITK's. */
+/** A kind of cell that Gmsh's files have. Their corners are in the same order as ITK's or, for second order, VTK's; see
+ * GmshOrder.h. Those of second order are written only: ITK has no tetrahedron of ten nodes. */
 struct CellShape
 {
   itk::CellGeometryEnum itkType;
   std::size_t           corners;
   int                   dimension;
   int                   gmshType;
-  /** Empty if Medit's files have no such cells. */
+  /** Empty if Medit's files have no such cells, or not from us. */
   const char * meditKeyword;
+
+  constexpr bool
+  IsOfSecondOrder() const
+  {
+    return corners == 6 || corners == 10;
+  }
 };
 
 /** In the order of the dimension. */
@@ -49,7 +56,9 @@ constexpr CellShape CellShapes[] = {
   { itk::CellGeometryEnum::LINE_CELL, 2, 1, 1, "Edges" },
   { itk::CellGeometryEnum::TRIANGLE_CELL, 3, 2, 2, "Triangles" },
   { itk::CellGeometryEnum::QUADRILATERAL_CELL, 4, 2, 3, "Quadrilaterals" },
+  { itk::CellGeometryEnum::QUADRATIC_TRIANGLE_CELL, 6, 2, 9, "" },
   { itk::CellGeometryEnum::TETRAHEDRON_CELL, 4, 3, 4, "Tetrahedra" },
+  { itk::CellGeometryEnum::TETRAHEDRON_CELL, 10, 3, 11, "" },
   { itk::CellGeometryEnum::HEXAHEDRON_CELL, 8, 3, 5, "Hexahedra" },
 };
 

@@ -25,6 +25,7 @@
 #include "itkVTUMeshIO.h"
 #include "output/GroupedMesh.h"
 #include "output/LabelNames.h"
+#include "output/SecondOrder.h"
 #include "output/TriangleFile.h"
 
 #include "itkMeshFileWriter.h"
@@ -168,7 +169,14 @@ void
 LabelMeshFileWriter::WriteBy(MeshIOBase * io, const TMesh * mesh, bool isText) const
 {
   const auto writer = MeshFileWriter<TMesh>::New();
-  writer->SetInput(mesh);
+  if (m_MidNodes)
+  {
+    writer->SetInput(mmm::MakeSecondOrder(mesh, m_MidNodes.GetPointer()));
+  }
+  else
+  {
+    writer->SetInput(mesh);
+  }
   writer->SetFileName(m_FileName);
   writer->SetMeshIO(io);
   writer->UseCompressionOn();
@@ -232,6 +240,11 @@ LabelMeshFileWriter::Write() const
     itkExceptionMacro("There is no MshFormat '" << m_MshFormat << "'.");
   }
   this->CheckCellData(extension);
+  if (m_MidNodes && (extension == ".mesh" || (extension == ".msh" && this->IsForSimNIBS())))
+  {
+    itkExceptionMacro("The file " << m_FileName << (extension == ".mesh" ? "" : " for SimNIBS")
+                                  << " cannot have elements of second order; .vtu and other .msh files can.");
+  }
   const auto vtu = VTUMeshIO::New();
   vtu->SetWriteSpace(m_WriteSpace);
   vtu->SetLabelTable(this->NamesInUse());
@@ -278,6 +291,7 @@ LabelMeshFileWriter::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "Tetrahedra: " << m_Tetrahedra.GetPointer() << '\n';
   os << indent << "Surface: " << m_Surface.GetPointer() << '\n';
+  os << indent << "MidNodes: " << m_MidNodes.GetPointer() << '\n';
   os << indent << "FileName: " << m_FileName << '\n';
   os << indent << "MshFormat: " << m_MshFormat << '\n';
   os << indent << "RAS: " << (m_RAS ? "On" : "Off") << '\n';

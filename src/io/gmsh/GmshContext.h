@@ -55,7 +55,7 @@ struct GmshContext
   FindShape(int gmshType) const
   {
     const auto shape = std::find_if(std::begin(CellShapes), std::end(CellShapes), [&](const CellShape & candidate) {
-      return candidate.gmshType == gmshType;
+      return candidate.gmshType == gmshType && !candidate.IsOfSecondOrder();
     });
     if (shape == std::end(CellShapes))
     {

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "io/gmsh/GmshWriter2.h"
 
+#include "io/gmsh/GmshOrder.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -81,10 +83,11 @@ WriteGmshSections2(FileComposer & file, const CellMesh & mesh, bool isBinary)
       }
       file.Int(tag);
       file.Int(tag == 0 ? spare : tag);
-      for (std::size_t k = 0; k < shape.corners; ++k, ++corner)
+      for (std::size_t k = 0; k < shape.corners; ++k)
       {
-        file.Int(static_cast<int>(*corner + 1));
+        file.Int(static_cast<int>(corner[CornerOfGmsh(shape, k)] + 1));
       }
+      corner += shape.corners;
       file.EndLine();
     }
   }

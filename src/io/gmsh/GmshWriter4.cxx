@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "io/gmsh/GmshWriter4.h"
 
+#include "io/gmsh/GmshOrder.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -194,16 +196,17 @@ WriteElements(FileComposer &                   file,
     {
       file.Int(group.first);
       file.Int(entity.tag);
-      file.Int(CellShapes[block.shape].gmshType);
+      const CellShape & shape = CellShapes[block.shape];
+      file.Int(shape.gmshType);
       file.Size(block.cells.size());
       file.EndLine();
       for (const std::size_t cell : block.cells)
       {
         ++number;
         file.Size(isNumberedInOrder ? number : cell + 1);
-        for (std::size_t k = 0; k < CellShapes[block.shape].corners; ++k)
+        for (std::size_t k = 0; k < shape.corners; ++k)
         {
-          file.Size(mesh.corners[begins[cell] + k] + 1);
+          file.Size(mesh.corners[begins[cell] + CornerOfGmsh(shape, k)] + 1);
         }
         file.EndLine();
       }

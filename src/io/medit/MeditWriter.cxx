@@ -50,7 +50,9 @@ WriteCells(FileComposer & file, const CellMesh & mesh, std::uint8_t shape)
   }
   if (*CellShapes[shape].meditKeyword == '\0')
   {
-    throw MeshFileError("it has vertices as cells, which such files have not");
+    throw MeshFileError(
+      std::string(CellShapes[shape].IsOfSecondOrder() ? "it has cells of second order" : "it has vertices as cells") +
+      ", which such files have not");
   }
   file.Text(std::string(CellShapes[shape].meditKeyword) + '\n' + std::to_string(count) + '\n');
   auto corner = mesh.corners.begin();

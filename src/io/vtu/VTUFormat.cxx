@@ -29,6 +29,9 @@ namespace
 {
 constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
 
+// Written only: ITK's tetrahedra have four points.
+constexpr std::uint8_t QuadraticTetrahedron = 24;
+
 // Writing takes the first row that fits, reading the only row of a VTK type.
 constexpr VTUCellType cellTypes[]{ { 1, itk::CellGeometryEnum::VERTEX_CELL, 1, 1 },
                                    { 2, itk::CellGeometryEnum::VERTEX_CELL, 1, any },
@@ -40,7 +43,8 @@ constexpr VTUCellType cellTypes[]{ { 1, itk::CellGeometryEnum::VERTEX_CELL, 1, 1
                                    { 10, itk::CellGeometryEnum::TETRAHEDRON_CELL, 4, 4 },
                                    { 12, itk::CellGeometryEnum::HEXAHEDRON_CELL, 8, 8 },
                                    { 21, itk::CellGeometryEnum::QUADRATIC_EDGE_CELL, 3, 3 },
-                                   { 22, itk::CellGeometryEnum::QUADRATIC_TRIANGLE_CELL, 6, 6 } };
+                                   { 22, itk::CellGeometryEnum::QUADRATIC_TRIANGLE_CELL, 6, 6 },
+                                   { QuadraticTetrahedron, itk::CellGeometryEnum::TETRAHEDRON_CELL, 10, 10 } };
 
 // itk::CellGeometryEnum::POLYLINE_CELL, which ITK before 5.3 lacks.
 constexpr std::int64_t itkPolyLine = 10;
@@ -105,7 +109,7 @@ ITKCellType(std::int64_t vtkType)
 {
   for (const VTUCellType & row : cellTypes)
   {
-    if (row.vtkType == vtkType)
+    if (row.vtkType == vtkType && vtkType != QuadraticTetrahedron)
     {
       return row;
     }

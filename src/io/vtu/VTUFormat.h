@@ -47,7 +47,8 @@ struct VTUCellType
 std::uint8_t
 VTKCellType(std::int64_t itkType, std::size_t numberOfPoints);
 
-/** The ITK type for a VTK type, with poly-vertices as vertices and polylines as lines; throws if there is none. */
+/** The ITK type for a VTK type, as itk::MeshFileReader takes it, with poly-vertices as vertices and polylines as lines;
+ * throws if there is none. */
 const VTUCellType &
 ITKCellType(std::int64_t vtkType);
 
