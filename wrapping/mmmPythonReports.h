@@ -195,9 +195,20 @@ ToPython(const SizeRule & rule)
 }
 
 inline PyObject *
+ToPython(const CurvingReport & report)
+{
+  return MakeNamespace({ { "edges", ToPython(report.edges) },
+                         { "without_place", ToPython(report.withoutPlace) },
+                         { "inverting", ToPython(report.inverting) },
+                         { "smallest_jacobian", ToPython(report.smallestJacobian) },
+                         { "volumes", ToPython(report.volumes) } });
+}
+
+inline PyObject *
 ToPython(const MeshingReport & report)
 {
   return MakeNamespace({ { "estimate", ToPython(report.estimate) },
+                         { "curving", ToPython(report.curving) },
                          { "particles", ToPython(report.particles) },
                          { "unused_particles", ToPython(report.unusedParticles) },
                          { "steiner_points", ToPython(report.steinerPoints) } });

@@ -36,6 +36,7 @@ const Range      Positive{ 0.0, false, Infinity };
 const Range      NonNegative{ 0.0, true, Infinity };
 const Range      AtLeastOne{ 1.0, true, Infinity };
 const Range      ThreadCount{ 1.0, true, 1024.0 };
+const Range      OneOrTwo{ 1.0, true, 2.0 };
 
 template <typename T, typename TSetter>
 void
@@ -115,6 +116,9 @@ MakeTable()
       "Also write the curves and points where three and more labels meet." },
     { "surface-only", PARAMETER(surfaceOnly, SurfaceOnly), Kind::Flag, "", "", AnyValue, "",
       "Leave out the interior; OUTPUT is the surface." },
+    { "order", PARAMETER(order, ElementOrder), Kind::Integer, "N", "", OneOrTwo, "",
+      "Order of the elements in .vtu and .msh: 2 gives tetrahedra of ten nodes and triangles of six, curved on "
+      "interfaces." },
     { "msh-format", &S::mshFormat, Kind::Choice, "F", "", AnyValue, "",
       "Of .msh files: version 4.1 or 2.2 (for GetDP), binary or text (2.2-ascii for DUNE and OpenFOAM), or as SimNIBS "
       "wants it (2.2, RAS, its numbers of surfaces).",

@@ -65,6 +65,7 @@ struct Settings
   std::string       particles;
   std::string       junctions;
   bool              surfaceOnly{ false };
+  std::uint64_t     order{ 1 };
   std::string       surfacePrefix;
   std::vector<Hull> hulls;
   std::string       mshFormat{ "4.1" };

@@ -55,6 +55,23 @@ CheckRegion(const Settings & settings)
   }
 }
 
+/** Elements of second order are wanted where there are some. */
+void
+CheckOrder(const Settings & settings)
+{
+  for (const std::string & name : { settings.output, settings.surface })
+  {
+    if (settings.order == 2 && FindExtension(Kind::Surface, name) == ".mesh")
+    {
+      throw UsageError("--order 2 is for .vtu and .msh files, and not for " + name);
+    }
+  }
+  if (settings.order == 2 && settings.mshFormat == "simnibs")
+  {
+    throw UsageError("--order 2 is not for --msh-format simnibs: SimNIBS has elements of first order");
+  }
+}
+
 void
 CheckHulls(const Settings & settings)
 {
@@ -120,6 +137,7 @@ CheckSettings(const Settings & settings)
   }
   CheckCellData(settings);
   CheckRegion(settings);
+  CheckOrder(settings);
   CheckHulls(settings);
   if (settings.IsFilled() && settings.exterior.empty())
   {

@@ -47,6 +47,8 @@ struct Outcome
   itk::LabelInterfaceMesh::Pointer   surface;
   itk::LabelParticleMesh::Pointer    particles;
   itk::LabelJunctionMesh::Pointer    junctions;
+  /** Null for elements of first order. */
+  itk::LabelMidNodeMesh::Pointer midNodes;
   /** In the order of the settings' hulls. */
   std::vector<itk::LabelHullMeshFilter::Pointer> hulls;
   std::vector<CellDataRecord>                    cellData;

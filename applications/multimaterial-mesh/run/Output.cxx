@@ -41,11 +41,13 @@ void
 WriteMesh(Outcome &                         outcome,
           const itk::LabelTetrahedralMesh * tetrahedra,
           const itk::LabelInterfaceMesh *   surface,
+          const itk::LabelMidNodeMesh *     midNodes,
           const std::string &               fileName)
 {
   const auto writer = itk::LabelMeshFileWriter::New();
   writer->SetTetrahedra(tetrahedra);
   writer->SetSurface(surface);
+  writer->SetMidNodes(midNodes);
   writer->SetFileName(fileName);
   writer->SetMshFormat(outcome.settings.mshFormat);
   writer->SetRAS(outcome.settings.ras);
@@ -140,11 +142,14 @@ void
 WriteMeshes(Outcome & outcome)
 {
   const Settings & settings = outcome.settings;
-  WriteMesh(
-    outcome, settings.surfaceOnly ? nullptr : outcome.tetrahedra.GetPointer(), outcome.surface, settings.output);
+  WriteMesh(outcome,
+            settings.surfaceOnly ? nullptr : outcome.tetrahedra.GetPointer(),
+            outcome.surface,
+            outcome.midNodes,
+            settings.output);
   if (!settings.surface.empty())
   {
-    WriteMesh(outcome, nullptr, outcome.surface, settings.surface);
+    WriteMesh(outcome, nullptr, outcome.surface, outcome.midNodes, settings.surface);
   }
   if (!settings.surfacePrefix.empty())
   {
@@ -157,12 +162,13 @@ WriteMeshes(Outcome & outcome)
       WriteMesh(outcome,
                 nullptr,
                 filter->GetOutput(),
+                nullptr,
                 SurfaceName(settings.surfacePrefix, label, outcome.input.names.NameOf(label)));
     }
   }
   for (std::size_t h = 0; h < outcome.hulls.size(); ++h)
   {
-    WriteMesh(outcome, nullptr, outcome.hulls[h]->GetOutput(), settings.hulls[h].file);
+    WriteMesh(outcome, nullptr, outcome.hulls[h]->GetOutput(), nullptr, settings.hulls[h].file);
   }
   if (!settings.particles.empty())
   {

@@ -111,6 +111,11 @@ TakeMeshes(Outcome & outcome)
   outcome.surface->DisconnectPipeline();
   outcome.particles->DisconnectPipeline();
   outcome.junctions->DisconnectPipeline();
+  if (outcome.settings.order == 2)
+  {
+    outcome.midNodes = outcome.filter->GetMidNodes();
+    outcome.midNodes->DisconnectPipeline();
+  }
 }
 
 void
@@ -174,6 +179,7 @@ Run(Settings settings)
   WarnOfVanishedLabels(settings, *outcome.filter);
   WarnOfMergedIslands(*outcome.filter);
   WarnOfLargeTetrahedra(outcome);
+  WarnOfFlatTriangles(settings);
   WriteReports(outcome);
   if (!settings.quiet)
   {

@@ -18,6 +18,7 @@
 #include "run/Summary.h"
 
 #include "console/Warnings.h"
+#include "options/FileNames.h"
 
 #include "vnl/vnl_det.h"
 
@@ -67,7 +68,9 @@ PrintLabels(std::ostream & os, const Outcome & outcome)
     // the exterior's volume is that of the box, not of its voxels
     if (!outcome.settings.IsExterior(label.label))
     {
-      const double volume = label.tetrahedra.volume;
+      const auto & curved = outcome.filter->GetReport().curving.volumes;
+      const auto   found = curved.find(label.label);
+      const double volume = found == curved.end() ? label.tetrahedra.volume : found->second;
       lines.push_back({ label.label, volume, volume / VolumeInImage(outcome, label.label) - 1.0 });
     }
   }
@@ -103,9 +106,10 @@ CountVoxels(const Outcome & outcome, int label)
 void
 PrintSummary(std::ostream & os, const Outcome & outcome)
 {
-  const bool  surfaceOnly = outcome.settings.surfaceOnly;
-  std::size_t islands = 0;
-  std::size_t voxels = 0;
+  const auto & settings = outcome.settings;
+  const bool   surfaceOnly = settings.surfaceOnly;
+  std::size_t  islands = 0;
+  std::size_t  voxels = 0;
   for (const auto & entry : outcome.filter->GetIslandRecords())
   {
     islands += entry.second.components;
@@ -127,6 +131,13 @@ PrintSummary(std::ostream & os, const Outcome & outcome)
     os << std::setprecision(1) << "dihedral angles: " << quality.smallestAngle.minimum << " to " << quality.largestAngle
        << " degrees; largest volume: " << std::defaultfloat << std::setprecision(3) << quality.largestVolume
        << " mm^3\n";
+  }
+  if (settings.order == 2)
+  {
+    const mmm::CurvingReport & curving = outcome.filter->GetReport().curving;
+    os << "second order: " << outcome.midNodes->GetNumberOfPoints() << " of " << curving.edges
+       << " edges on interfaces are curved; smallest Jacobian " << std::defaultfloat << std::setprecision(3)
+       << curving.smallestJacobian << " of that with straight edges\n";
   }
   PrintLabels(os, outcome);
   os << "written:";
@@ -174,6 +185,30 @@ WarnOfLargeTetrahedra(const Outcome & outcome)
     std::ostringstream text;
     text << "the largest tetrahedron has " << largest << " mm^3, more than --max-volume; a smaller --max-volume helps";
     Warn(text.str());
+  }
+}
+
+void
+WarnOfFlatTriangles(const Settings & settings)
+{
+  std::string files;
+  const auto  add = [&](const std::string & name, bool isFlat) {
+    files += !isFlat || name.empty() ? "" : (files.empty() ? "" : ", ") + name;
+  };
+  const auto cannotCurve = [](const std::string & name) {
+    const std::string extension = FindExtension(Kind::Surface, name);
+    return extension != ".vtu" && extension != ".msh";
+  };
+  add(settings.output, cannotCurve(settings.output));
+  add(settings.surface, cannotCurve(settings.surface));
+  add(settings.surfacePrefix, true);
+  for (const Hull & hull : settings.hulls)
+  {
+    add(hull.file, true);
+  }
+  if (settings.order == 2 && !files.empty())
+  {
+    Warn("the triangles in " + files + " are flat: --order 2 is for OUTPUT and --surface, as .vtu or .msh");
   }
 }
 } // namespace cli

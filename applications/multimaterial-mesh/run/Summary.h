@@ -43,6 +43,10 @@ WarnOfMergedIslands(const MeshFilter & filter);
 /** Tetrahedra above the largest volume that was asked for. */
 void
 WarnOfLargeTetrahedra(const Outcome & outcome);
+
+/** Files whose triangles stay flat though second order was asked for. */
+void
+WarnOfFlatTriangles(const Settings & settings);
 } // namespace cli
 
 #endif

@@ -29,6 +29,10 @@ from numpy.typing import NDArray
 from itk_multimaterialmeshing import _inputs
 
 
+# in VTK's order of mid-nodes; the first three are those of a triangle
+EDGES = np.array([[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]])
+
+
 class MultiMaterialMesh:
     """Labelled tetrahedra and the triangles between labels, as NumPy arrays. It can be pickled and copied.
 
@@ -44,9 +48,15 @@ class MultiMaterialMesh:
         The corners, as rows of points. The normal points from the first to the second label.
     triangle_labels : (k, 2) int32
         The labels on both sides, the lower one first. The outside counts as one, report.outside_label.
+    mid_nodes : (e, 3) float64, or None
+        With element_order=2, the mid-nodes of the curved edges, which are edges of triangles. All other edges are
+        straight. quadratic() has the elements.
+    mid_node_edges : (e, 2) int64, or None
+        The ends of these edges, as rows of points, the lower one first.
     report : types.SimpleNamespace
         What was expected (estimate), counts (particles, steiner_points), labels without tetrahedra and their voxels
-        (vanished_labels), what was merged (islands, by label), the seconds and memory of the stages.
+        (vanished_labels), what was merged (islands, by label), the seconds and memory of the stages; with
+        element_order=2 volumes of the curved tetrahedra by label, and edges that had to stay straight (curving).
     names : dict[int, str]
         What labels are called, for those that have a name. Files get them.
     cell_data : dict[str, ndarray]
@@ -62,6 +72,8 @@ class MultiMaterialMesh:
         triangle_labels: NDArray[np.int32],
         report: SimpleNamespace,
         names: Mapping[int, str] | None = None,
+        mid_nodes: NDArray[np.float64] | None = None,
+        mid_node_edges: NDArray[np.int64] | None = None,
     ) -> None:
         self.points = points
         self.tetrahedra = tetrahedra
@@ -71,6 +83,8 @@ class MultiMaterialMesh:
         self.report = report
         self.names = dict(names or {})
         self.cell_data: dict[str, NDArray[np.float64]] = {}
+        self.mid_nodes = mid_nodes
+        self.mid_node_edges = mid_node_edges
 
     def __repr__(self) -> str:
         labels = ", ".join(str(label) for label in np.unique(self.triangle_labels))
@@ -79,16 +93,42 @@ class MultiMaterialMesh:
             f"{len(self.triangles)} triangles between the labels {labels}>"
         )
 
+    def quadratic(self) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.int64]]:
+        """Points, tetrahedra (m, 10) and triangles (k, 6) of second order, in VTK's order of nodes.
+
+        The points are those of the mesh, followed by a mid-node for each edge: where mid_nodes have it, else halfway.
+        """
+        in_cells = [self.tetrahedra[:, EDGES].reshape(-1, 2), self.triangles[:, EDGES[:3]].reshape(-1, 2)]
+        edges, numbers = np.unique(np.sort(np.concatenate(in_cells), axis=1), axis=0, return_inverse=True)
+        middles = self.points[edges].mean(axis=1)
+        if self.mid_node_edges is not None and len(self.mid_node_edges):
+            keys = edges @ [len(self.points), 1]
+            middles[np.searchsorted(keys, self.mid_node_edges @ [len(self.points), 1])] = self.mid_nodes
+        nodes = len(self.points) + numbers.reshape(-1)
+        split = len(in_cells[0])
+        return (
+            np.concatenate([self.points, middles]),
+            np.hstack([self.tetrahedra, nodes[:split].reshape(-1, 6)]),
+            np.hstack([self.triangles, nodes[split:].reshape(-1, 3)]),
+        )
+
     def to_pyvista(self, surface: bool = False) -> Any:
         """The tetrahedra as pyvista.UnstructuredGrid with the cell data "label"; or the triangles, with surface=True or
-        if there are no tetrahedra, as pyvista.PolyData with "label_a" and "label_b", the lower one first."""
+        if there are no tetrahedra, as pyvista.PolyData with "label_a" and "label_b", the lower one first. With
+        element_order=2, tetrahedra have ten nodes; the triangles of PolyData are flat.
+        """
         import pyvista
 
         if surface or len(self.tetrahedra) == 0:
             mesh = pyvista.PolyData.from_regular_faces(self._surface_points(), self.triangles)
             mesh.cell_data["label_a"], mesh.cell_data["label_b"] = self.triangle_labels.T
         else:
-            mesh = pyvista.UnstructuredGrid({pyvista.CellType.TETRA: self.tetrahedra}, self.points)
+            cells = {pyvista.CellType.TETRA: self.tetrahedra}
+            points = self.points
+            if self.mid_nodes is not None:
+                points, tetrahedra, _ = self.quadratic()
+                cells = {pyvista.CellType.QUADRATIC_TETRA: tetrahedra}
+            mesh = pyvista.UnstructuredGrid(cells, points)
             mesh.cell_data["label"] = self.labels
             for name, values in self.cell_data.items():
                 mesh.cell_data[name] = values if np.ndim(values) == 1 else np.reshape(values, (len(self.labels), -1))
@@ -117,16 +157,17 @@ class MultiMaterialMesh:
 
     def to_meshio(self) -> Any:
         """The tetrahedra, if there are any, and the triangles as meshio.Mesh. The cell data "label_a" and "label_b" of
-        a triangle are its labels, the lower one first; both are the label of a tetrahedron."""
+        a triangle are its labels, the lower one first; both are the label of a tetrahedron. With element_order=2, the
+        cells are "tetra10" and "triangle6"."""
         import meshio
 
-        blocks = [
-            ("tetra", self.tetrahedra, self.labels, self.labels),
-            ("triangle", self.triangles, *self.triangle_labels.T),
-        ]
+        names, nodes = ("tetra", "triangle"), (self.points, self.tetrahedra, self.triangles)
+        if self.mid_nodes is not None:
+            names, nodes = ("tetra10", "triangle6"), self.quadratic()
+        blocks = [(names[0], nodes[1], self.labels, self.labels), (names[1], nodes[2], *self.triangle_labels.T)]
         blocks = [block for block in blocks if len(block[1])]
         return meshio.Mesh(
-            self.points,
+            nodes[0],
             [block[:2] for block in blocks],
             cell_data={"label_a": [block[2] for block in blocks], "label_b": [block[3] for block in blocks]},
         )
@@ -139,7 +180,7 @@ class MultiMaterialMesh:
         Parameters
         ----------
         path : ends with .vtu (the tetrahedra), .msh or .mesh (these and the triangles), or .stl, .obj or .off (the
-            triangles, without labels).
+            triangles, without labels). With element_order=2, .vtu and .msh have elements of second order; .mesh cannot.
         surface : write the triangles alone. They are written if there are no tetrahedra.
         msh_format : of .msh files: "4.1", "4.1-ascii", "2.2", "2.2-ascii" or "simnibs".
         ras : points in RAS, in all files but .vtu, where they are in LPS.
@@ -154,6 +195,8 @@ class MultiMaterialMesh:
         writer = itk.LabelMeshFileWriter.New(FileName=path, MshFormat=msh_format, RAS=ras)
         writer.SetOutsideLabel(self.report.outside_label)
         writer.SetSurface(_to_itk(self._surface_points(), self.triangles, self.triangle_labels))
+        if self.mid_nodes is not None and self.mid_node_edges is not None:
+            writer.SetMidNodes(_to_mid_nodes(self.mid_nodes, self.mid_node_edges))
         if not surface and len(self.tetrahedra) and writer.FindExtension(path, writer.GetVolumeExtensions()):
             writer.SetTetrahedra(_to_itk(self.points, self.tetrahedra, self.labels))
             for name, values in self.cell_data.items():
@@ -220,8 +263,9 @@ def multimaterial_mesh(
     report : a file to write on what was meshed and what came out: a page to look at in a browser if the name ends with
         .html, else JSON. It has the labels' topology, too (compare_topology). Default: none.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
-        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, maximum_memory=8.0 (GB),
-        maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with region_maximum_size=1.0.
+        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, element_order=2,
+        maximum_memory=8.0 (GB), maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with
+        region_maximum_size=1.0.
 
     Raises
     ------
@@ -302,7 +346,36 @@ def _from_filter(mesher: Any, names: dict[int, str]) -> MultiMaterialMesh:
         np.array(surface.GetCellData(), np.int32).reshape(-1, 2),
         report,
         names,
+        *_mid_nodes_of(mesher),
     )
+
+
+def _mid_nodes_of(mesher: Any) -> tuple[NDArray[np.float64], NDArray[np.int64]] | tuple[None, None]:
+    """Places and edges; none of first order."""
+    import itk
+
+    if mesher.GetElementOrder() == 1:
+        return None, None
+    mid_nodes = mesher.GetMidNodes()
+    if mid_nodes.GetNumberOfPoints() == 0:
+        return np.empty((0, 3)), np.empty((0, 2), np.int64)
+    return (
+        itk.array_from_vector_container(mid_nodes.GetPoints()),
+        np.array(mid_nodes.GetPointData(), np.int64).reshape(-1, 2),
+    )
+
+
+def _to_mid_nodes(points: NDArray[np.float64], edges: NDArray[np.int64]) -> Any:
+    """An itk.Mesh of the type of the filter's mid-nodes."""
+    import itk
+
+    pixel = itk.FixedArray[itk.SI, 2]
+    mesh = itk.Mesh[pixel, 3, itk.DefaultStaticMeshTraits[pixel, 3, 3, itk.D]].New()
+    if len(points):
+        mesh.SetPoints(itk.vector_container_from_array(points.ravel()))
+        mesh.GetPointData().Reserve(len(edges))
+        np.asarray(mesh.GetPointData())[...] = edges
+    return mesh
 
 
 def _to_itk(points: NDArray[np.float64], cells: NDArray[np.int64], labels: NDArray[np.int32]) -> Any:
