@@ -322,6 +322,7 @@ DetailsOf(const Outcome & outcome)
   details.input.emplace_back("seconds", ToText(Number(outcome.seconds)));
   AddRows(ParameterSection(settings), details.settings);
   details.warnings = GetWarnings();
+  details.labels = outcome.input.names.table;
   for (const auto & entry : outcome.quality.labels)
   {
     // the exterior's volume is that of the box, not of its voxels

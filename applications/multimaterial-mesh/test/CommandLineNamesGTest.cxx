@@ -64,6 +64,15 @@ public:
 };
 } // namespace
 
+TEST_F(CommandLineNames, ReachThePage)
+{
+  const std::string names = this->WriteText("names.txt", "2 mantle\n5 kernel<7>\n");
+  this->Mesh("out.vtu", { "--names", names, "--report", this->Path("page.html") });
+  const std::string page = this->Contents("page.html");
+  EXPECT_NE(page.find("mantle"), std::string::npos);
+  EXPECT_NE(page.find("kernel&lt;7&gt;"), std::string::npos);
+}
+
 TEST_F(CommandLineNames, ReachFilesSummaryAndReport)
 {
   const auto result = this->Mesh("out.msh",
