@@ -40,7 +40,7 @@ namespace itk
  *
  * Modes, of which "mean" is the default:
  * - "mean": the integral of the image over the tetrahedron by its volume. The tetrahedron is cut into smaller ones, as
- *   many along an edge as it has half voxels, 64 at most, whose centers are sampled.
+ *   many along an edge as the longest one has thirds of a voxel, 64 at most, whose centers are sampled.
  * - "linear": the image at the center of the tetrahedron.
  * - "nearest": the voxel in which the center is; for labels and the like.
  *

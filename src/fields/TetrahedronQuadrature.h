@@ -28,7 +28,7 @@ namespace mmm
 {
 using TetrahedronCorners = std::array<itk::ContinuousIndex<double, 3>, 4>;
 
-/** How many parts edges are cut into, so that none is longer than half a voxel; corners are in voxels. */
+/** How many parts edges are cut into, so that none is longer than a third of a voxel; corners are in voxels. */
 inline int
 PartsOfEdges(const TetrahedronCorners & corners)
 {
@@ -42,7 +42,7 @@ PartsOfEdges(const TetrahedronCorners & corners)
       longest = std::max(longest, (corners[a] - corners[b]).GetNorm());
     }
   }
-  return static_cast<int>(std::clamp(std::ceil(2.0 * longest), 1.0, most));
+  return static_cast<int>(std::clamp(std::ceil(3.0 * longest), 1.0, most));
 }
 
 /** Calls visit(point, weight) for the points of a quadrature; the weights sum up to parts^3.

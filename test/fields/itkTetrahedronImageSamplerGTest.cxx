@@ -134,7 +134,7 @@ Sample(const std::vector<Corners> & tetrahedra, const Image * image, const std::
 double
 FineMean(const Corners & corners, const Image * image)
 {
-  constexpr int count = 200000;
+  constexpr int count = 50000;
   std::mt19937  random(3);
   const auto    interpolator = itk::LinearInterpolateImageFunction<Image, double>::New();
   interpolator->SetInputImage(image);
