@@ -77,8 +77,8 @@ public:
   itkBooleanMacro(WriteGroupNames);
 
   /** Writing: sections `$ElementData`, each with 1, 3 or 9 numbers per cell: scalars, vectors, tensors row by row. With
-   * RAS, the latter two are turned as the points are. What is no number is written as such. In version 4.1, elements are
-   * then numbered group by group, as meshio (5.3) wants it, and read back in this order. Default: none. */
+   * RAS, the latter two are turned as the points are. What is no number is written as such. In version 4.1, elements
+   * are then numbered group by group, as meshio (5.3) wants it, and read back in this order. Default: none. */
   void
   SetCellArrays(const CellArraysType & arrays);
   const CellArraysType &

@@ -31,7 +31,7 @@ ReadTable(const std::string & fileName)
 {
   // what libraries have to say of an image was said when it was read
   const StreamCapture capture;
-  const auto reader = itk::LabelTableReader::New();
+  const auto          reader = itk::LabelTableReader::New();
   reader->SetFileName(fileName);
   reader->Read();
   return reader->GetLabelTable();
