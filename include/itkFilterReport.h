@@ -182,6 +182,8 @@ private:
     this->Add("RegionOfInterest", m_Filter.GetRegionOfInterest() != nullptr);
     this->Add("RegionMinimumSize", m_Filter.GetRegionMinimumSize());
     this->Add("RegionMaximumSize", m_Filter.GetRegionMaximumSize());
+    this->Add("NumberOfTetrahedra", m_Filter.GetNumberOfTetrahedra());
+    this->Add("ElementOrder", m_Filter.GetElementOrder());
     this->Add("SurfaceOnly", m_Filter.GetSurfaceOnly());
     this->Add("Seed", m_Filter.GetSeed());
   }
