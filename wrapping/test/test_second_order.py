@@ -80,6 +80,9 @@ def test_save_writes_the_same_elements(mesh, tmp_path, name):
     mesh.save(tmp_path / name)
     again = meshio.read(tmp_path / name)
     points, tetrahedra, _ = mesh.quadratic()
+    if name.endswith(".msh"):
+        # group by group
+        tetrahedra = tetrahedra[np.argsort(mesh.labels, kind="stable")]
     np.testing.assert_allclose(again.points[again.cells_dict["tetra10"]], points[tetrahedra], atol=1e-12)
 
 
