@@ -14,8 +14,8 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-"""Potentials of unit currents at electrodes by finite elements of first or second order, and what follows from them: by
-reciprocity the potential of a dipole at the electrodes, and the field between electrodes."""
+"""Potentials of unit currents at electrodes by finite elements of first order, and what follows from them: by reciprocity
+the potential of a dipole at the electrodes, and the field between electrodes."""
 
 import numpy as np
 import pyvista
@@ -42,7 +42,7 @@ class Samples:
 
     def __init__(self, mesh, element, cells, local):
         self.cells = cells
-        self.nodes = mesh.dofs.element_dofs[:, cells]
+        self.nodes = mesh.t[:, cells]
         shapes = [element.gbasis(mesh.mapping(), local, n, tind=cells)[0] for n in range(len(self.nodes))]
         self.values = np.stack([np.broadcast_to(s.value[..., 0], len(cells)) for s in shapes])
         self.gradients = np.stack([s.grad[..., 0] for s in shapes], axis=1)
@@ -65,24 +65,18 @@ class Conductor:
         self.sigma = np.array([0.0, *conductivities])[self.labels]
         points = np.ascontiguousarray(grid.points.T, float) * 1e-3
         (cells,) = grid.cells_dict.values()
-        self.order = 2 if cells.shape[1] == len(skfem.ElementTetP2.doflocs) else 1
-        if self.order == 2:
-            # their mid-nodes are in the order of VTK's
-            self.mesh = skfem.MeshTet2(points, np.ascontiguousarray(cells.T, np.int64), sort_t=False)
-            self.element = skfem.ElementTetP2()
-        elif cells.shape[1] == len(CORNERS):
+        if cells.shape[1] == len(CORNERS):
             self.mesh = skfem.MeshHex(points, np.ascontiguousarray(cells.T[HEXAHEDRON_IN_VTK], np.int64))
             self.element = skfem.ElementHex1()
         else:
             self.mesh = skfem.MeshTet(points, np.ascontiguousarray(cells.T, np.int64), sort_t=False)
             self.element = skfem.ElementTetP1()
-        self.unknowns = self.mesh.doflocs.shape[1]
 
     def assemble(self):
         matrix = 0
         cells = np.arange(len(self.sigma))
         for part in np.array_split(cells, -(-len(cells) // CELLS_AT_ONCE)):
-            basis = skfem.Basis(self.mesh, self.element, elements=part, intorder=2 * self.order)
+            basis = skfem.Basis(self.mesh, self.element, elements=part, intorder=2)
             matrix += stiffness.assemble(basis, sigma=np.broadcast_to(self.sigma[part, None], basis.dx.shape))
         return matrix.tocsr()
 
@@ -110,7 +104,7 @@ class Conductor:
     def solve(self, electrodes):
         """Potentials (nodes, electrodes) for 1 A into each electrode, out of all of them in equal parts."""
         at = self.on_surface(electrodes)
-        loads = np.zeros((self.unknowns, len(electrodes)))
+        loads = np.zeros((self.mesh.nvertices, len(electrodes)))
         np.add.at(loads, (at.nodes, np.arange(len(electrodes))), at.values)
         loads -= loads.mean(axis=1, keepdims=True)
         matrix = self.assemble()
@@ -118,22 +112,20 @@ class Conductor:
         return Multigrid(matrix).solve(loads, TOLERANCE)
 
     def smooth_gradient(self, label, nodal):
-        """Gradients (axes, nodes, ...) at the nodes of a label: the mean of those of its cells there, by their volumes.
-
-        In cells of first order, they are those of the cell's middle."""
+        """Gradients (axes, nodes, ...) at the nodes of a label: the mean of those of its cells there, by their volumes."""
         cells = np.flatnonzero(self.labels == label)
         middle = np.full((3, 1), 0.25 if len(self.mesh.t) == 4 else 0.5)
+        samples = Samples(self.mesh, self.element, cells, middle)
         volumes = np.abs(self.mesh.mapping().detDF(middle, tind=cells))[:, 0]
-        total = np.full(self.unknowns, np.finfo(float).tiny)
-        sums = np.zeros((3, self.unknowns, *nodal.shape[1:]))
-        for n, place in enumerate(self.element.doflocs):
-            samples = Samples(self.mesh, self.element, cells, place[:, None] if self.order == 2 else middle)
-            share = scipy.sparse.csr_matrix(
-                (volumes, (samples.nodes[n], np.arange(len(cells)))), shape=(self.unknowns, len(cells))
-            )
-            total += share @ np.ones(len(cells))
-            sums += np.stack([share @ gradient for gradient in samples.gradient_of(nodal)])
-        return sums / total[:, None]
+        share = scipy.sparse.csr_matrix(
+            (
+                np.tile(volumes, len(self.mesh.t)),
+                (samples.nodes.ravel(), np.tile(np.arange(len(cells)), len(self.mesh.t))),
+            ),
+            shape=(self.mesh.nvertices, len(cells)),
+        )
+        total = np.maximum(share.sum(axis=1).A, np.finfo(float).tiny)
+        return np.stack([share @ gradient / total for gradient in samples.gradient_of(nodal)])
 
 
 def monopoles(conductor, label, positions, moments, reach=0.02, weight=1e-6):
@@ -162,7 +154,7 @@ def monopoles(conductor, label, positions, moments, reach=0.02, weight=1e-6):
         currents.append(np.linalg.solve(equations.T @ equations + penalty, equations.T @ wanted))
         rows.append(around)
         columns.append(np.full(len(around), dipole))
-    shape = (conductor.unknowns, len(positions))
+    shape = (mesh.nvertices, len(positions))
     return scipy.sparse.csr_matrix(
         (np.concatenate(currents), (np.concatenate(rows), np.concatenate(columns))), shape=shape
     )
