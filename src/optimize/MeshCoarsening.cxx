@@ -17,11 +17,9 @@
  *=========================================================================*/
 #include "optimize/MeshCoarsening.h"
 
-#include "base/MakeUnique.h"
 #include "base/ParallelCollect.h"
 #include "optimize/CoarseningParameters.h"
 #include "optimize/EdgeCollapser.h"
-#include "optimize/PointSmoother.h"
 #include "optimize/ShapeQuality.h"
 
 #include <algorithm>
@@ -51,19 +49,6 @@ struct ShortEdge
     return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
   }
 };
-
-template <typename TVisitor>
-void
-VisitEdges(const Tetrahedron & corners, const TVisitor & visit)
-{
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = i + 1; j < 4; ++j)
-    {
-      visit(std::min(corners[i], corners[j]), std::max(corners[i], corners[j]));
-    }
-  }
-}
 
 /** One round after another. */
 class Coarsening
@@ -140,7 +125,10 @@ private:
       m_State.complex.Size(), TetrahedraPerRange, [&](std::size_t t, std::vector<ShortEdge> & list) {
         if (this->Counts(Id(t)))
         {
-          VisitEdges(m_State.complex.Corners(Id(t)), [&](PointId a, PointId b) {
+          const Tetrahedron & corners = m_State.complex.Corners(Id(t));
+          for (const auto & edge : TetrahedronEdges)
+          {
+            const auto [a, b] = std::minmax(corners[edge[0]], corners[edge[1]]);
             const Vector & x = m_State.points[a];
             const Vector & y = m_State.points[b];
             const double   relative = (y - x).norm() / m_Size(0.5 * (x + y));
@@ -148,7 +136,7 @@ private:
             {
               list.push_back({ relative, a, b, Id(t) });
             }
-          });
+          }
         }
       });
     std::stable_sort(edges.begin(), edges.end());
