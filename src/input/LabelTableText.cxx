@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "input/LabelTableText.h"
 
+#include "base/Trimmed.h"
 #include "input/GzipFile.h"
 #include "input/LabelTableJson.h"
 
@@ -117,8 +118,7 @@ Columns(const std::string & line)
   std::istringstream stream(line);
   for (std::string column; std::getline(stream, column, '\t');)
   {
-    const auto first = column.find_first_not_of(' ');
-    column = first == std::string::npos ? "" : column.substr(first, column.find_last_not_of(' ') + 1 - first);
+    column = Trimmed(column);
     columns.push_back(column == "n/a" ? "" : column);
   }
   return columns;

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "output/LabelNames.h"
 
+#include "base/Trimmed.h"
+
 #include <algorithm>
 #include <map>
 
@@ -32,8 +34,7 @@ Cleaned(std::string name)
     const auto code = static_cast<unsigned char>(character);
     character = code < ' ' || code == 127 ? ' ' : character == '"' ? '\'' : character;
   }
-  const auto first = name.find_first_not_of(' ');
-  return first == std::string::npos ? "" : name.substr(first, name.find_last_not_of(' ') + 1 - first);
+  return Trimmed(name);
 }
 
 /** Whether files have such a name for another thing: "label 3", "SPACE". */
