@@ -85,7 +85,7 @@ public:
   SetExteriorLabels(const LabelsType & labels) override;
 
 protected:
-  /** The maps cannot be extended: an air margin is refused. */
+  /** The maps cannot be extended: an air margin is refused. So are surfaces, which are for label images. */
   void
   VerifyPreconditions() const override;
   IndicatorImagesToTetrahedralMeshFilter();

@@ -65,6 +65,12 @@ IndicatorImagesToTetrahedralMeshFilter<TIndicatorImage, TOutputMesh>::VerifyPrec
                                           << " mm would need the indicators beyond their images. FillExterior meshes "
                                              "the exterior up to the faces of the images' box.");
   }
+  if (!this->GetSurfaceLabels().empty())
+  {
+    itkExceptionMacro(
+      "Surfaces go on top of a label image. Among indicator images, the signed distance of a surface is "
+      "one as well.");
+  }
 }
 
 template <typename TIndicatorImage, typename TOutputMesh>

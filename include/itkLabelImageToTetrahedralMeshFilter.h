@@ -86,6 +86,7 @@ public:
   using LabelImageType = TLabelImage;
   using OutputMeshType = TOutputMesh;
   using IndicatorImageType = Image<float, 3>;
+  using SurfaceDistanceImageType = Image<float, 3>;
   using typename Superclass::LabelType;
   using typename Superclass::LabelsType;
   using typename Superclass::SizingImageType;
@@ -124,6 +125,24 @@ public:
   itkSetMacro(AcceptIntensities, bool);
   itkGetConstMacro(AcceptIntensities, bool);
   itkBooleanMacro(AcceptIntensities);
+
+  /** The optional input "SurfaceDistanceImage0" and so on: the signed distance of a closed surface on the grid of the
+   * label image, in mm, positive inside and right within 3 times the smallest voxel spacing, as
+   * TriangleSurfaceToDistanceImageFilter makes it. What is inside has the label of the same number in SurfaceLabels,
+   * whatever the image says and earlier surfaces enclose. The interface is where the distance is 0, not smoothed; where
+   * surfaces cross each other or interfaces of the image, it is rounded over about a voxel. Radius is for the rest of
+   * the image. A surface without a voxel gives an ExceptionObject. */
+  void
+  SetSurfaceDistanceImage(unsigned int number, const SurfaceDistanceImageType * image);
+  const SurfaceDistanceImageType *
+  GetSurfaceDistanceImage(unsigned int number) const;
+
+  /** The label of each surface, by number, in order: a later one wins. It may be one that the image has as well, and
+   * that of several surfaces, which are one material then; to take a label's shape from surfaces alone, give its voxels
+   * another label first. Default: none. */
+  virtual void
+  SetSurfaceLabels(const LabelsType & labels);
+  itkGetConstReferenceMacro(SurfaceLabels, LabelsType);
 
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
@@ -252,7 +271,11 @@ private:
   mmm::LabelMeshingInputs
   GetInputs() const;
 
+  mmm::SurfaceInputs
+  GetSurfaces() const;
+
   LabelsType        m_ExteriorLabels{ 0 };
+  LabelsType        m_SurfaceLabels;
   bool              m_FillExterior{ false };
   double            m_AirMargin{ Superclass::Automatic };
   bool              m_AcceptIntensities{ false };

@@ -39,6 +39,50 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetExteriorLabels(c
 }
 
 template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetSurfaceLabels(const LabelsType & labels)
+{
+  if (m_SurfaceLabels != labels)
+  {
+    m_SurfaceLabels = labels;
+    this->Modified();
+  }
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+void
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::SetSurfaceDistanceImage(
+  unsigned int                     number,
+  const SurfaceDistanceImageType * image)
+{
+  this->ProcessObject::SetInput("SurfaceDistanceImage" + std::to_string(number),
+                                const_cast<SurfaceDistanceImageType *>(image));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+auto
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSurfaceDistanceImage(unsigned int number) const
+  -> const SurfaceDistanceImageType *
+{
+  return dynamic_cast<const SurfaceDistanceImageType *>(
+    this->ProcessObject::GetInput("SurfaceDistanceImage" + std::to_string(number)));
+}
+
+template <typename TLabelImage, typename TOutputMesh>
+mmm::SurfaceInputs
+LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetSurfaces() const
+{
+  mmm::SurfaceInputs surfaces;
+  surfaces.labels = m_SurfaceLabels;
+  // images without labels are not passed over
+  for (unsigned int n = 0; n < m_SurfaceLabels.size() || this->GetSurfaceDistanceImage(n) != nullptr; ++n)
+  {
+    surfaces.distances.push_back(this->GetSurfaceDistanceImage(n));
+  }
+  return surfaces;
+}
+
+template <typename TLabelImage, typename TOutputMesh>
 auto
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetIndicatorImage(LabelType label) const
   -> const IndicatorImageType *
@@ -80,6 +124,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetInputs() const
   inputs.options.topologyMode = m_TopologyMode;
   inputs.options.allowVanishedLabels = m_AllowVanishedLabels;
   inputs.options.keepIntermediates = m_KeepIntermediates;
+  inputs.surfaces = this->GetSurfaces();
   inputs.sizing = this->GetSizingInputs();
   inputs.meshing = this->GetMeshingOptions();
   return inputs;
@@ -101,8 +146,9 @@ template <typename TLabelImage, typename TOutputMesh>
 void
 LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::VerifyInputInformation() const
 {
-  const auto *      labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
-  const std::string error = mmm::DescribeGeometryError(labels, this->GetSizingInputs());
+  const auto * labels = dynamic_cast<const TLabelImage *>(this->GetPrimaryInput());
+  std::string  error = mmm::DescribeGeometryError(labels, this->GetSizingInputs());
+  error = error.empty() ? mmm::DescribeGeometryError(labels, this->GetSurfaces()) : error;
   if (!error.empty())
   {
     itkExceptionMacro(<< error);
@@ -127,6 +173,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   using namespace print_helper;
   Superclass::PrintSelf(os, indent);
   os << indent << "ExteriorLabels: " << m_ExteriorLabels << std::endl;
+  os << indent << "SurfaceLabels: " << m_SurfaceLabels << std::endl;
   os << indent << "FillExterior: " << (m_FillExterior ? "On" : "Off") << std::endl;
   os << indent << "AirMargin: " << m_AirMargin << std::endl;
   os << indent << "AcceptIntensities: " << (m_AcceptIntensities ? "On" : "Off") << std::endl;

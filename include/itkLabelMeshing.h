@@ -20,6 +20,7 @@
 
 #include "itkIndicatorImageStages.h"
 #include "itkLabelImageStages.h"
+#include "itkSurfaceStages.h"
 
 /** The compiled part of LabelImageToTetrahedralMeshFilter. */
 namespace mmm
@@ -36,6 +37,8 @@ struct LabelMeshingInputs
   /** Where the indicators are to follow functions of the materials, on the image's grid, rather than the labels: these
    * and the labels of each. If none is exterior, the exterior's is what they leave. */
   IndicatorInputs functions;
+  /** Surfaces on top of the image; not with functions. */
+  SurfaceInputs surfaces;
 };
 
 /** What it tells, besides the state of the meshing. */

@@ -87,6 +87,20 @@ GridGeometry::ToPhysicalPoint(const Vector & x) const
   return point;
 }
 
+Vector
+GridGeometry::ToGridPoint(const PointType & point) const
+{
+  itk::ContinuousIndex<double, 3> index;
+  // says whether it is in the image, which is of no account
+  static_cast<void>(m_Image->TransformPhysicalPointToContinuousIndex(point, index));
+  Vector x;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    x[axis] = (index[axis] - static_cast<double>(m_Region.GetIndex(axis))) * m_Grid.spacing[axis];
+  }
+  return x;
+}
+
 bool
 GridGeometry::IsReflected() const
 {

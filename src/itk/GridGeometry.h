@@ -65,6 +65,10 @@ public:
   PointType
   ToPhysicalPoint(const Vector & x) const;
 
+  /** The inverse. */
+  Vector
+  ToGridPoint(const PointType & point) const;
+
   /** Whether the way from the grid to physical space turns right-handed frames into left-handed ones. */
   bool
   IsReflected() const;

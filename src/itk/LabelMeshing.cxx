@@ -27,6 +27,7 @@
 #include "itk/LabelSmoothing.h"
 #include "itk/SizingImage.h"
 #include "itk/SizingOptions.h"
+#include "itk/SurfaceOverlay.h"
 #include "itkImageConversion.h"
 
 #include <algorithm>
@@ -192,11 +193,21 @@ public:
   Run()
   {
     m_Monitor.BeginStage("merging of islands");
+    for (int & label : m_Inputs.surfaces.labels)
+    {
+      // all exterior is one material, with the first of its labels if there is any of that
+      label = Contains(m_Inputs.options.exteriorLabels, label) ? m_Inputs.options.exteriorLabels.front() : label;
+    }
+    const SurfaceOverlay surfaces(m_Inputs.surfaces, m_Inputs.labels);
+    if (!m_Inputs.surfaces.labels.empty())
+    {
+      m_Inputs.labels = ComposeLabels(m_Inputs.labels, m_Inputs.surfaces).GetPointer();
+    }
     auto               labels = this->Crop(this->MergeIslands());
     const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());
 
     m_Monitor.BeginStage("indicators");
-    auto indicators = this->ComputeIndicators(geometry, labels);
+    auto indicators = this->ComputeIndicators(geometry, labels, surfaces);
     labels = nullptr;
 
     m_Monitor.BeginStage("sizing");
@@ -297,7 +308,7 @@ private:
   }
 
   std::vector<FloatImage::Pointer>
-  ComputeIndicators(const GridGeometry & geometry, const LabelImage * labels)
+  ComputeIndicators(const GridGeometry & geometry, const LabelImage * labels, const SurfaceOverlay & surfaces)
   {
     if (!m_Inputs.functions.images.empty())
     {
@@ -305,7 +316,9 @@ private:
         m_Inputs.functions, m_Inputs.options.exteriorLabels, m_Results.labels, labels, m_Monitor);
     }
     const SmoothingOptions options{ geometry.ToGridUnit(m_Inputs.options.radius), KeepsTopology(m_Inputs), true };
-    return ComputeIndicatorImages(options, labels, m_Monitor).images;
+    return m_Inputs.surfaces.labels.empty()
+             ? ComputeIndicatorImages(options, labels, m_Monitor).images
+             : surfaces.ComputeIndicators(labels, m_Results.labels, geometry, options, m_Monitor);
   }
 
   LabelMeshingInputs         m_Inputs;
@@ -317,55 +330,6 @@ private:
   LabelCounts                m_Counts;
 };
 } // namespace
-
-std::string
-DescribeError(const LabelMeshingInputs & inputs)
-{
-  const LabelOptions & options = inputs.options;
-  std::ostringstream   words;
-  if (options.radius < 0.0 || std::isinf(options.radius))
-  {
-    words << "The radius is " << options.radius << " mm. It must be finite and not negative.";
-  }
-  else if (options.airMargin < 0.0 || std::isinf(options.airMargin))
-  {
-    words << "The air margin is " << options.airMargin << " mm. It must be finite and not negative.";
-  }
-  else if (IsFilled(options) && options.exteriorLabels.empty())
-  {
-    words << "The exterior is to be filled, but no label is exterior.";
-  }
-  else
-  {
-    words << DescribeError(inputs.meshing, inputs.sizing);
-  }
-  return words.str();
-}
-
-std::string
-DescribeGeometryError(const itk::ImageBase<3> * labels, const SizingInputs & sizing)
-{
-  const auto describe = [labels](const itk::ImageBase<3> * image, const char * name) {
-    std::ostringstream words;
-    if (image == nullptr)
-    {
-      return std::string();
-    }
-    if (!HaveSameGeometry(labels, image))
-    {
-      words << "The " << name << " differs from the label image in origin, spacing or direction.";
-    }
-    else if (labels->GetLargestPossibleRegion() != image->GetLargestPossibleRegion())
-    {
-      words << "The " << name << " has " << image->GetLargestPossibleRegion().GetSize()
-            << " voxels and the label image " << labels->GetLargestPossibleRegion().GetSize()
-            << ". They must be on the same grid.";
-    }
-    return words.str();
-  };
-  const std::string error = describe(sizing.image, "sizing image");
-  return error.empty() ? describe(sizing.region, "region of interest") : error;
-}
 
 void
 MeshLabels(itk::ProcessObject *   filter,

@@ -22,7 +22,7 @@
 #include "optimize/OptimizationParameters.h"
 #include "mesh/InterfaceMesh.h"
 #include "optimize/SmoothPatches.h"
-#include "optimize/TriangleTree.h"
+#include "distance/TriangleTree.h"
 
 #include <memory>
 

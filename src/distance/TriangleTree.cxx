@@ -15,7 +15,7 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "optimize/TriangleTree.h"
+#include "distance/TriangleTree.h"
 
 #include <numeric>
 

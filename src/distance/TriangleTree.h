@@ -47,19 +47,46 @@ public:
   /** The closest point of those triangles for which accept(number) holds, if one is closer than `reach`. */
   template <typename TAccept>
   Nearest
-  FindNearest(const Vector & x, double reach, const TAccept & accept) const;
+  FindNearest(const Vector & x, double reach, const TAccept & accept) const
+  {
+    return this->FindNearest(x, reach, accept, [](std::uint32_t, const Vector &) { return true; });
+  }
 
-private:
+  /** The same, of triangles for whose point acceptPoint(number, point) holds, too. It is asked last. */
+  template <typename TAccept, typename TAcceptPoint>
+  Nearest
+  FindNearest(const Vector & x, double reach, const TAccept & accept, const TAcceptPoint & acceptPoint) const;
+
   struct Node
   {
     Vector lower;
     Vector upper;
-    /** The triangles in m_Order; the second child of an inner node, whose first one follows it. */
+    /** Places in GetOrder(); the second child of an inner node, whose first one follows it. */
     std::uint32_t begin;
     std::uint32_t end;
+    /** None if the node is a leaf. */
     std::uint32_t second;
   };
 
+  /** Each before its children. */
+  const std::vector<Node> &
+  GetNodes() const
+  {
+    return m_Nodes;
+  }
+  /** The triangles' numbers, those of a node in sequence. */
+  const std::vector<std::uint32_t> &
+  GetOrder() const
+  {
+    return m_Order;
+  }
+  const Corners &
+  GetTriangle(std::uint32_t number) const
+  {
+    return m_Triangles[number];
+  }
+
+private:
   static constexpr std::uint32_t LeafSize = 4;
 
   std::uint32_t
@@ -77,9 +104,12 @@ private:
   std::vector<Node>          m_Nodes;
 };
 
-template <typename TAccept>
+template <typename TAccept, typename TAcceptPoint>
 TriangleTree::Nearest
-TriangleTree::FindNearest(const Vector & x, double reach, const TAccept & accept) const
+TriangleTree::FindNearest(const Vector &       x,
+                          double               reach,
+                          const TAccept &      accept,
+                          const TAcceptPoint & acceptPoint) const
 {
   Nearest nearest;
   double  best = reach * reach;
@@ -114,7 +144,7 @@ TriangleTree::FindNearest(const Vector & x, double reach, const TAccept & accept
       }
       const Vector point = ClosestPoint(m_Triangles[t], x);
       const double distance = (point - x).squaredNorm();
-      if (distance < best)
+      if (distance < best && acceptPoint(t, point))
       {
         best = distance;
         nearest.triangle = t;
