@@ -24,6 +24,8 @@ itk_module(
     ITKIONRRD
     ITKIONIFTI
     ITKIOMeta
+    ITKIOMeshVTK
+    ITKIOMeshGifti
     ITKImageGrid
   TEST_DEPENDS
     ITKGoogleTest

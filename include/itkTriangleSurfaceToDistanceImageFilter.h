@@ -51,6 +51,7 @@ namespace itk
  * \tparam TInputMesh a mesh of three-dimensional points
  * \tparam TOutputImage a three-dimensional image of `float`
  *
+ * \sa SurfaceFileReader
  * \ingroup MultiMaterialMeshing
  */
 template <typename TInputMesh = LabelInterfaceMesh, typename TOutputImage = Image<float, 3>>
