@@ -146,6 +146,18 @@ ParseHull(const Option & option, const std::string & text)
   return { text.substr(0, equals), ParseLabels(option, text.substr(equals + 1)) };
 }
 
+SurfaceLabel
+ParseSurfaceLabel(const Option & option, const std::string & text)
+{
+  const auto equals = std::min(text.find('='), text.size());
+  const auto labels = equals < text.size() ? ParseLabels(option, text.substr(0, equals)) : std::vector<int>();
+  if (labels.size() != 1)
+  {
+    throw UsageError("--" + option.name + " is '" + text + "'; it has to be L=FILE, for instance 3=lh.pial");
+  }
+  return { labels.front(), text.substr(equals + 1) };
+}
+
 void
 CheckChoice(const Option & option, const std::string & text)
 {
@@ -231,18 +243,13 @@ public:
   void
   operator()(std::vector<Hull> Settings::* field) const
   {
-    m_Parser
-      .add_option_function<std::vector<std::string>>(SpellingsOf(m_Option),
-                                                     [this_ = *this, field](const std::vector<std::string> & texts) {
-                                                       for (const std::string & text : texts)
-                                                       {
-                                                         const Hull hull = ParseHull(this_.m_Option, text);
-                                                         CheckFileName(this_.m_Option, hull.file);
-                                                         (this_.m_Settings.*field).push_back(hull);
-                                                       }
-                                                     })
-      ->type_name(m_Option.placeholder)
-      ->allow_extra_args(false);
+    this->AddRepeated(field, ParseHull);
+  }
+
+  void
+  operator()(std::vector<SurfaceLabel> Settings::* field) const
+  {
+    this->AddRepeated(field, ParseSurfaceLabel);
   }
 
   void
@@ -290,6 +297,23 @@ public:
   }
 
 private:
+  /** An option that may be given again, with a file and labels each time. */
+  template <typename T>
+  void
+  AddRepeated(std::vector<T> Settings::* field, T (*parse)(const Option &, const std::string &)) const
+  {
+    const auto take = [this_ = *this, field, parse](const std::vector<std::string> & texts) {
+      for (const std::string & text : texts)
+      {
+        (this_.m_Settings.*field).push_back(parse(this_.m_Option, text));
+        CheckFileName(this_.m_Option, (this_.m_Settings.*field).back().file);
+      }
+    };
+    m_Parser.add_option_function<std::vector<std::string>>(SpellingsOf(m_Option), take)
+      ->type_name(m_Option.placeholder)
+      ->allow_extra_args(false);
+  }
+
   CLI::Option *
   AddText(const std::function<void(const std::string &)> & take) const
   {
@@ -315,10 +339,11 @@ void
 AssignFiles(Settings & settings)
 {
   const bool hasIndicators = !settings.indicators.empty();
-  if (hasIndicators && settings.output.empty())
+  const bool hasSurfaces = !settings.surfaceLabels.empty();
+  if ((hasIndicators || hasSurfaces) && settings.output.empty())
   {
     settings.output.swap(settings.labels);
-    if (settings.output.empty())
+    if (hasIndicators && settings.output.empty())
     {
       settings.output = settings.indicators.back();
       settings.indicators.pop_back();
@@ -330,7 +355,7 @@ AssignFiles(Settings & settings)
       throw UsageError(name + " is required; --help lists the options");
     }
   };
-  require("LABELS", !settings.labels.empty() || hasIndicators);
+  require("LABELS", !settings.labels.empty() || hasIndicators || hasSurfaces);
   require("OUTPUT", !settings.output.empty());
   require("An image after --indicators", !settings.indicators.empty() || !hasIndicators);
   if (hasIndicators && !settings.labels.empty())

@@ -60,7 +60,7 @@ FilesOf(const Settings & settings, bool areOutputs)
   ForEachOption([&](const Option & option) {
     const bool isFile = option.kind == Kind::LabelImage || option.kind == Kind::ScalarImage ||
                         option.kind == Kind::ScalarImages || option.kind == Kind::TextFile ||
-                        option.kind == Kind::CellData || option.IsOutput();
+                        option.kind == Kind::CellData || option.kind == Kind::SurfaceLabels || option.IsOutput();
     if (!isFile || option.kind == Kind::FilePrefix || option.IsOutput() != areOutputs)
     {
       return;
@@ -86,7 +86,8 @@ FilesOf(const Settings & settings, bool areOutputs)
             add(name);
           }
         }
-        else if constexpr (std::is_same_v<T, std::vector<Hull>> || std::is_same_v<T, std::vector<CellDataRequest>>)
+        else if constexpr (std::is_same_v<T, std::vector<Hull>> || std::is_same_v<T, std::vector<CellDataRequest>> ||
+                           std::is_same_v<T, std::vector<SurfaceLabel>>)
         {
           for (const auto & entry : value)
           {

@@ -78,7 +78,8 @@ void
 PrintHelp(std::ostream & os)
 {
   os << "usage: multimaterial-mesh LABELS OUTPUT.{vtu,msh,mesh} [options]\n"
-        "       multimaterial-mesh --indicators FILE... OUTPUT.{vtu,msh,mesh} [options]\n\n"
+        "       multimaterial-mesh --indicators FILE... OUTPUT.{vtu,msh,mesh} [options]\n"
+        "       multimaterial-mesh --surface-label L=FILE... [LABELS] OUTPUT.{vtu,msh,mesh} [options]\n\n"
         "Meshes a label image, such as a segmented MRI head: labelled, conforming tetrahedra and the\n"
         "interfaces between the labels. Points are in ITK's physical coordinates (LPS).\n";
 

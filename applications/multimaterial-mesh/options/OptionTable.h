@@ -59,6 +59,7 @@ enum class Kind
   Report,
   FilePrefix,
   Hulls,
+  SurfaceLabels,
   TextFile,
   CellData
 };
@@ -82,6 +83,7 @@ using Field = std::variant<bool                         Settings::*,
                            mmm::LabelSizeRules          Settings::*,
                            std::vector<Hull>            Settings::*,
                            std::vector<CellDataRequest> Settings::*,
+                           std::vector<SurfaceLabel>    Settings::*,
                            std::vector<std::string>     Settings::*>;
 
 /** \brief Where an option's value goes: a member of Settings and, for many, a parameter of the filter. */

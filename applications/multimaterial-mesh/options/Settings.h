@@ -36,6 +36,13 @@ struct Hull
   std::vector<int> labels;
 };
 
+/** A file with a surface, and the label of what it encloses. */
+struct SurfaceLabel
+{
+  int         label;
+  std::string file;
+};
+
 /** \brief What the command line says. OptionTable() describes each member to the user.
  *
  * Lengths are in mm. Those without a value follow from the image's smallest spacing. */
@@ -47,6 +54,12 @@ struct Settings
   /** In place of `labels`: a function per material, and the materials' labels, 1 to N if there are none. */
   std::vector<std::string> indicators;
   std::vector<int>         indicatorLabels;
+
+  /** On top of `labels`, or alone: surfaces, later ones over earlier ones, and the voxels of their grid if they are
+   * alone. */
+  std::vector<SurfaceLabel> surfaceLabels;
+  std::optional<double>     surfaceSpacing;
+  bool                      surfacesAreInRAS{ false };
 
   /** The labels to mesh, if they are listed; which are joined, "9=3,4;8=1,2"; and a file of other numbers for them. */
   std::vector<int> onlyLabels;

@@ -73,6 +73,38 @@ CheckOrder(const Settings & settings)
 }
 
 void
+CheckSurfaces(const Settings & settings)
+{
+  if (settings.surfaceLabels.empty())
+  {
+    if (settings.surfaceSpacing || settings.surfacesAreInRAS)
+    {
+      throw UsageError("--surface-spacing and --surface-ras need --surface-label");
+    }
+    return;
+  }
+  if (!settings.indicators.empty())
+  {
+    throw UsageError("--surface-label goes on top of LABELS, not of --indicators");
+  }
+  if (settings.labels.empty())
+  {
+    if (!settings.onlyLabels.empty() || !settings.merges.empty() || !settings.labelMap.empty())
+    {
+      throw UsageError("--labels, --merge and --map are for LABELS; --surface-label has its own");
+    }
+    if (!settings.sizingImage.empty() || !settings.roi.empty())
+    {
+      throw UsageError("--sizing-image and --roi are on the grid of LABELS; --surface-label alone has none");
+    }
+  }
+  else if (settings.surfaceSpacing)
+  {
+    throw UsageError("--surface-spacing is for surfaces alone; the grid is that of LABELS");
+  }
+}
+
+void
 CheckHulls(const Settings & settings)
 {
   for (const Hull & hull : settings.hulls)
@@ -139,6 +171,7 @@ CheckSettings(const Settings & settings)
   CheckRegion(settings);
   CheckOrder(settings);
   CheckHulls(settings);
+  CheckSurfaces(settings);
   if (settings.IsFilled() && settings.exterior.empty())
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");

@@ -23,6 +23,7 @@
 #include "options/FileNames.h"
 #include "run/Conductivity.h"
 #include "run/LabelChanges.h"
+#include "run/Surfaces.h"
 #include "itkIndicatorImagesToLabelImageFilter.h"
 
 #include <algorithm>
@@ -250,22 +251,30 @@ ReadInput(const Settings & settings)
   Input              input;
   std::map<int, int> changes;
   const bool         hasIndicators = !settings.indicators.empty();
+  const bool         areSurfacesAlone = settings.labels.empty() && !hasIndicators;
   if (hasIndicators)
   {
     input = ReadIndicators(settings);
   }
-  else
+  else if (!areSurfacesAlone)
   {
     const LabelChanges labelChanges(settings);
     input.labels = ReadLabelImage(settings.labels);
     changes = labelChanges.Apply(*input.labels);
   }
-  input.voxels = mmm::CountLabels(input.labels.GetPointer());
+  if (!settings.surfaceLabels.empty())
+  {
+    AddSurfaces(settings, input);
+  }
+  else
+  {
+    input.voxels = mmm::CountLabels(input.labels.GetPointer());
+  }
   if (hasIndicators)
   {
     WarnOfAbsentIndicators(settings, input.voxels);
   }
-  else
+  else if (!areSurfacesAlone)
   {
     CheckLabels(settings.labels, input, settings.labelsAnyway);
   }

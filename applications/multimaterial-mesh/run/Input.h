@@ -21,6 +21,7 @@
 #include "options/Settings.h"
 #include "run/LabelNames.h"
 #include "itkLabelImageStages.h"
+#include "itkSurfaceStages.h"
 #include "itkVolumeFileReader.h"
 
 #include "itkImage.h"
@@ -47,10 +48,13 @@ struct SampledImage
 /** \brief What is meshed: labels or indicators. With indicators, the labels are the partition that they make. */
 struct Input
 {
+  /** Without the surfaces; all exterior if there is nothing else. */
   LabelImage::Pointer               labels;
   std::vector<ScalarImage::Pointer> indicators;
-  mmm::LabelCounts                  voxels;
-  LabelNames                        names;
+  mmm::SurfaceInputs                surfaces;
+  /** By label, surfaces on top. */
+  mmm::LabelCounts voxels;
+  LabelNames       names;
   /** In S/m, of the labels that are meshed; empty without --conductivity. */
   std::map<int, double> conductivity;
   /** In the order of the settings' cellData. */

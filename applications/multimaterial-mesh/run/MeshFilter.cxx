@@ -126,6 +126,11 @@ MakeMeshFilter(const Settings & settings, const Input & input)
   {
     auto filter = MeshFilter::New();
     filter->SetInput(input.labels);
+    for (std::size_t n = 0; n < input.surfaces.distances.size(); ++n)
+    {
+      filter->SetSurfaceDistanceImage(static_cast<unsigned int>(n), input.surfaces.distances[n]);
+    }
+    filter->SetSurfaceLabels(input.surfaces.labels);
     Configure(filter, settings);
     return filter;
   }

@@ -71,18 +71,33 @@ Triple(const TVector & values)
 }
 
 Json
+ToJson(const std::vector<SurfaceLabel> & surfaces)
+{
+  Json list = Json::array();
+  for (const SurfaceLabel & surface : surfaces)
+  {
+    list.push_back({ { "label", surface.label }, { "file", surface.file } });
+  }
+  return list;
+}
+
+Json
 InputSection(const Outcome & outcome)
 {
   const auto size = outcome.input.labels->GetLargestPossibleRegion().GetSize();
   Json       section;
   if (outcome.settings.indicators.empty())
   {
-    section["file"] = outcome.settings.labels;
+    section["file"] = outcome.settings.labels.empty() ? Json(nullptr) : Json(outcome.settings.labels);
   }
   else
   {
     section["indicators"] = outcome.settings.indicators;
     section["indicator_labels"] = outcome.settings.indicatorLabels;
+  }
+  if (!outcome.settings.surfaceLabels.empty())
+  {
+    section["surfaces"] = ToJson(outcome.settings.surfaceLabels);
   }
   section["size"] = { size[0], size[1], size[2] };
   section["spacing_mm"] = Triple(outcome.input.labels->GetSpacing());
