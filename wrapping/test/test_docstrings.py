@@ -33,6 +33,7 @@ FILTERS = [
     "MergeLabelIslandsImageFilter",
     "OptimizeTetrahedralMeshFilter",
     "TetrahedralMeshQualityCalculator",
+    "TriangleSurfaceToDistanceImageFilter",
 ]
 
 
@@ -57,6 +58,7 @@ def test_templates_and_classes_have_docstrings(name):
         "LabelMeshFileWriter",
         "LabelSurfaceMeshFilter",
         "LabelTableReader",
+        "SurfaceFileReader",
         "TetrahedronImageSampler",
         "VolumeFileReader",
     ],
