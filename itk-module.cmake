@@ -24,8 +24,6 @@ itk_module(
     ITKIONRRD
     ITKIONIFTI
     ITKIOMeta
-    ITKIOMeshVTK
-    ITKIOMeshGifti
     ITKImageGrid
   TEST_DEPENDS
     ITKGoogleTest

@@ -23,7 +23,11 @@ macro(itk_module _name)
 endmacro()
 include("${CMAKE_CURRENT_SOURCE_DIR}/itk-module.cmake")
 
-find_itk_quietly(REQUIRED COMPONENTS ${_module_DEPENDS} ${_module_PRIVATE_DEPENDS})
+# Formats of surfaces that the programs read where ITK has them.
+list(JOIN ITK_MODULES_ENABLED "|" _enabled)
+set(_formats ITKIOMeshGifti ITKIOMeshVTK)
+list(FILTER _formats INCLUDE REGEX "^(${_enabled})$")
+find_itk_quietly(REQUIRED COMPONENTS ${_module_DEPENDS} ${_module_PRIVATE_DEPENDS} ${_formats})
 include(UseTetGen)
 # The factories of ITK that the command line, tests and examples need are registered by ITK's own generated headers.
 include("${ITK_USE_FILE}")

@@ -33,8 +33,8 @@ namespace itk
  * \brief Reads a surface of triangles, and puts it where its file says.
  *
  * STL (binary and text), Wavefront .obj, .off and FreeSurfer's binary surfaces (such as lh.pial, of any extension) are
- * read here; legacy VTK (.vtk, up to version 4.2) and GIFTI (.gii) by ITK's MeshIO. In all of them cells are to be
- * triangles.
+ * read here; others by the MeshIO that are registered with ITK, among them those for GIFTI (.gii) and legacy VTK (.vtk,
+ * up to version 4.2). In all of them cells are to be triangles.
  *
  * The points of the mesh are in mm and LPS. Those of FreeSurfer and GIFTI files are in RAS, and so are those of other
  * files whose first bytes have the text SPACE=RAS, as 3D Slicer and this module write it; further ones are in LPS, or

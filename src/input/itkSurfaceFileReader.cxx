@@ -21,15 +21,15 @@
 #include "input/ImageChecks.h"
 #include "input/SurfaceFile.h"
 
-#include "itkGiftiMeshIO.h"
+#include "itkMeshIOFactory.h"
 #include "itkTriangleCell.h"
-#include "itkVTKPolyDataMeshIO.h"
 
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <vector>
 
 namespace mmm
@@ -45,8 +45,6 @@ namespace itk
 {
 namespace
 {
-const char * const Formats = "supported are .stl, .obj, .off, .vtk, .gii and FreeSurfer's";
-
 std::string
 ReadBytes(const std::string & fileName)
 {
@@ -54,19 +52,24 @@ ReadBytes(const std::string & fileName)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** Null if ITK does not read files of that name. */
-MeshIOBase::Pointer
-MakeMeshIO(const std::string & fileName)
+/** Extensions of what is read here, and of what the registered MeshIO read. */
+std::string
+ListFormats()
 {
-  if (mmm::HasExtension(fileName, { ".vtk" }))
+  std::set<std::string> extensions;
+  for (const auto & object : ObjectFactoryBase::CreateAllInstance("itkMeshIOBase"))
   {
-    return VTKPolyDataMeshIO::New().GetPointer();
+    if (const auto * const io = dynamic_cast<const MeshIOBase *>(object.GetPointer()))
+    {
+      extensions.insert(io->GetSupportedReadExtensions().begin(), io->GetSupportedReadExtensions().end());
+    }
   }
-  if (mmm::HasExtension(fileName, { ".gii" }))
+  std::string formats = "FreeSurfer's, .stl, .obj, .off";
+  for (const auto & extension : extensions)
   {
-    return GiftiMeshIO::New().GetPointer();
+    formats += formats.find(extension) == std::string::npos ? ", " + extension : "";
   }
-  return nullptr;
+  return formats;
 }
 
 /** Calls body(number) with a number of the type that is meant. */
@@ -205,7 +208,8 @@ ReadSurface(const std::string & fileName)
   {
     file = mmm::ParseOFF(fileName, bytes);
   }
-  else if (const auto io = MakeMeshIO(fileName))
+  else if (const MeshIOBase::Pointer io =
+             MeshIOFactory::CreateMeshIO(fileName.c_str(), CommonEnums::IOFileMode::ReadMode))
   {
     file = ReadByITK(fileName, bytes, *io);
     file.isInRAS = mmm::HasExtension(fileName, { ".gii" });
@@ -213,7 +217,7 @@ ReadSurface(const std::string & fileName)
   else
   {
     itkGenericExceptionMacro(<< fileName << ": this is not a surface of triangles, or one of a format that cannot be "
-                             << "read; " << Formats);
+                             << "read; supported are " << ListFormats());
   }
   constexpr std::size_t head = 256;
   file.isInRAS = file.isInRAS || bytes.substr(0, head).find("SPACE=RAS") != std::string::npos;

@@ -19,6 +19,9 @@
 #include "support/TestLabelImages.h"
 #include "support/TestMeshes.h"
 
+// registers the formats of meshes that ITK was built with
+#include "itkMeshFileReader.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,6 +91,13 @@ TextSTL()
     text += "  endloop\n endfacet\n";
   }
   return text + "endsolid tetrahedron\n";
+}
+
+bool
+HasMeshIO(const std::string & extension)
+{
+  return itk::MeshIOFactory::CreateMeshIO(("a" + extension).c_str(), itk::CommonEnums::IOFileMode::WriteMode) !=
+         nullptr;
 }
 
 std::string
@@ -194,17 +204,45 @@ TEST_F(SurfaceFileReader, ReadsSTL)
   this->ExpectTetrahedron(this->Read("text.STL", TextSTL()), 1.0);
 }
 
-TEST_F(SurfaceFileReader, ReadsOBJAndOFFAndVTK)
+TEST_F(SurfaceFileReader, ReadsOBJAndOFF)
 {
   this->ExpectTetrahedron(this->Read("a.obj", "# a\n" + Lines("v ", "f ", 1)), 1.0);
   this->ExpectTetrahedron(
     this->Read("b.obj", Lines("v ", "", 0) + "f 1//1 3//2 2//1\nf 1/1 2/1 4/1\nf -3 -2 -1\nf 1 4 3\n"), 1.0);
   const std::string triangles = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   this->ExpectTetrahedron(this->Read("a.off", "OFF\n4 4 6\n" + Lines("", "", 0) + triangles), 1.0);
+}
+
+TEST_F(SurfaceFileReader, ReadsVTKWhereITKDoes)
+{
+  if (!HasMeshIO(".vtk"))
+  {
+    GTEST_SKIP() << "ITK was built without its module for .vtk";
+  }
   this->ExpectTetrahedron(this->Read("a.vtk",
                                      "# vtk DataFile Version 3.0\na\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n" +
-                                       Lines("", "", 0) + "POLYGONS 4 16\n" + triangles),
+                                       Lines("", "", 0) + "POLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"),
                           1.0);
+}
+
+TEST_F(SurfaceFileReader, ReadsGIFTIWhereITKDoes)
+{
+  if (!HasMeshIO(".gii"))
+  {
+    GTEST_SKIP() << "ITK was built without its module for .gii";
+  }
+  const auto array = [](const std::string & intent, const std::string & type, const std::string & numbers) {
+    return "<DataArray Intent=\"NIFTI_INTENT_" + intent + "\" DataType=\"NIFTI_TYPE_" + type +
+           "\" ArrayIndexingOrder=\"RowMajorOrder\" Dimensionality=\"2\" Dim0=\"4\" Dim1=\"3\" Encoding=\"ASCII\" "
+           "Endian=\"LittleEndian\" ExternalFileName=\"\" ExternalFileOffset=\"\"><MetaData/><Data>" +
+           numbers + "</Data></DataArray>";
+  };
+  this->ExpectTetrahedron(this->Read("a.gii",
+                                     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<GIFTI Version=\"1.0\" "
+                                     "NumberOfDataArrays=\"2\"><MetaData/><LabelTable/>" +
+                                       array("POINTSET", "FLOAT32", "1 2 3 5 2 3 1 7 3 1 2 9") +
+                                       array("TRIANGLE", "INT32", "0 2 1 0 1 3 1 2 3 0 3 2") + "</GIFTI>"),
+                          -1.0);
 }
 
 TEST_F(SurfaceFileReader, TakesPointsForRASWhereTheFileOrTheUserSaysSo)
@@ -251,6 +289,14 @@ TEST_F(SurfaceFileReader, RefusesWhatIsNoSurfaceOfTriangles)
     "a.obj", Lines("v ", "f ", 1) + "f 1 2 3 4\n", "cell 4 has 4 points; triangulate the surface first");
   this->ExpectError("b.obj", "# nothing\n", "the file has no triangles");
   this->ExpectError("a.txt", "text", "this is not a surface of triangles, or one of a format that cannot be read");
+}
+
+TEST_F(SurfaceFileReader, RefusesVTKOfVersion5)
+{
+  if (!HasMeshIO(".vtk"))
+  {
+    GTEST_SKIP() << "ITK was built without its module for .vtk";
+  }
   this->ExpectError(
     "a.vtk",
     "# vtk DataFile Version 5.1\na\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n" + Lines("", "", 0) +

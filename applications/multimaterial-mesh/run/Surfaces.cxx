@@ -23,6 +23,9 @@
 #include "itkSurfaceFileReader.h"
 #include "itkTriangleSurfaceToDistanceImageFilter.h"
 
+// registers the formats of meshes that ITK was built with
+#include "itkMeshFileReader.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
