@@ -52,7 +52,7 @@ ReadBytes(const std::string & fileName)
   return { std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
 }
 
-/** Extensions of what is read here, and of what the registered MeshIO read. */
+/** Extensions of what is read here, and of the registered MeshIO, some of which only say what they write. */
 std::string
 ListFormats()
 {
@@ -62,6 +62,7 @@ ListFormats()
     if (const auto * const io = dynamic_cast<const MeshIOBase *>(object.GetPointer()))
     {
       extensions.insert(io->GetSupportedReadExtensions().begin(), io->GetSupportedReadExtensions().end());
+      extensions.insert(io->GetSupportedWriteExtensions().begin(), io->GetSupportedWriteExtensions().end());
     }
   }
   std::string formats = "FreeSurfer's, .stl, .obj, .off";
