@@ -58,11 +58,19 @@ MultiMaterialMeshing_EXPORT FloatImage::Pointer
                                                    SurfaceFacts &            facts);
 
 /** Surfaces on top of a label image, each over those before it: signed distances in mm, positive inside, on the image's
- * grid, and the label that each encloses. */
+ * grid or a part of it beyond which they are far, and the label that each encloses. */
 struct SurfaceInputs
 {
   std::vector<FloatImage::ConstPointer> distances;
   std::vector<int>                      labels;
+  /** The labels below that each may replace; those without an entry, or with an empty one, replace all. */
+  std::vector<std::vector<int>> replaced;
+
+  std::vector<int>
+  GetReplaced(std::size_t k) const
+  {
+    return k < replaced.size() ? replaced[k] : std::vector<int>();
+  }
 };
 
 /** The label image in which a voxel whose centre is within surfaces has the label of the last of them. Throws

@@ -17,10 +17,13 @@
  *=========================================================================*/
 #include "itk/SurfaceOverlay.h"
 
-#include "base/IndexBox.h"
 #include "indicators/IndicatorSmoothing.h"
 #include "itk/ImageRegions.h"
+#include "itk/LabelDomain.h"
 #include "itk/LabelSmoothing.h"
+
+#include "itkImageRegionConstIterator.h"
+#include "itkImageRegionIterator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,61 +37,21 @@ constexpr auto Band = static_cast<float>(IndicatorBandWidth);
  * certain then, and the surface is where it was within as much. */
 constexpr float LeastDistance = 0.02f;
 
-using Box = IndexBox;
-
-Box
-EmptyBox(const Grid & grid)
+/** A region within that of a grid. */
+IndexBox
+BoxOf(const FloatImage::RegionType & region, const FloatImage::RegionType & whole)
 {
-  return { grid.size, { { -1, -1, -1 } } };
-}
-
-/** The nodes at which values are above the band's lower end. */
-Box
-BoxOf(const Grid & grid, const std::vector<float> & values)
-{
-  Box box = EmptyBox(grid);
-  for (std::size_t n = 0; n < values.size(); ++n)
-  {
-    if (values[n] > -Band)
-    {
-      const Index at = grid.IndexAt(n);
-      for (int a = 0; a < 3; ++a)
-      {
-        box.lower[a] = std::min(box.lower[a], at[a]);
-        box.upper[a] = std::max(box.upper[a], at[a]);
-      }
-    }
-  }
-  return box;
-}
-
-Box
-Union(const Box & first, const Box & second)
-{
-  Box box;
-  for (int a = 0; a < 3; ++a)
-  {
-    box.lower[a] = std::min(first.lower[a], second.lower[a]);
-    box.upper[a] = std::max(first.upper[a], second.upper[a]);
-  }
-  return box;
-}
-
-/** An image of the grid, which begins at the index 0. */
-Box
-BoxOf(const FloatImage::RegionType & region)
-{
-  Box box;
+  IndexBox box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    box.lower[axis] = static_cast<int>(region.GetIndex(axis));
-    box.upper[axis] = static_cast<int>(region.GetUpperIndex()[axis]);
+    box.lower[axis] = static_cast<int>(region.GetIndex(axis) - whole.GetIndex(axis));
+    box.upper[axis] = static_cast<int>(region.GetUpperIndex()[axis] - whole.GetIndex(axis));
   }
   return box;
 }
 
 FloatImage::RegionType
-RegionOf(const Box & box)
+RegionOf(const IndexBox & box)
 {
   FloatImage::RegionType region;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -97,6 +60,41 @@ RegionOf(const Box & box)
     region.SetSize(axis, static_cast<itk::SizeValueType>(box.upper[axis] - box.lower[axis] + 1));
   }
   return region;
+}
+
+/** The distance as indicators have it: within the band, and not too near to 0. */
+float
+ToLead(double distance)
+{
+  const float sign = distance > 0.0 ? 1.0f : -1.0f;
+  return sign * std::min(std::max(static_cast<float>(std::abs(distance)), LeastDistance), Band);
+}
+
+/** The nodes of a layer that are not far. */
+void
+ShrinkToBand(IndicatorLayer & layer)
+{
+  IndexBox near{ layer.box.upper, layer.box.lower };
+  auto     distance = layer.distances.begin();
+  layer.box.Visit([&](const Index & at) {
+    for (int a = 0; *distance > -Band && a < 3; ++a)
+    {
+      near.lower[a] = std::min(near.lower[a], at[a]);
+      near.upper[a] = std::max(near.upper[a], at[a]);
+    }
+    ++distance;
+  });
+  std::vector<float> distances;
+  distance = layer.distances.begin();
+  layer.box.Visit([&](const Index & at) {
+    if (near.Contains(at))
+    {
+      distances.push_back(*distance);
+    }
+    ++distance;
+  });
+  layer.box = near;
+  layer.distances.swap(distances);
 }
 
 /** The indicators of the image's labels; one that is everywhere has no boundary. */
@@ -120,51 +118,76 @@ SmoothImage(const SmoothingOptions & options, const LabelImage * image, Monitor 
 }
 } // namespace
 
-SurfaceOverlay::Distances
-SurfaceOverlay::GetDistances(const LabelImage * labels, const GridGeometry & geometry) const
+SurfaceOverlay::Layers
+SurfaceOverlay::GetLayers(const GridGeometry & geometry) const
 {
-  const auto beyond = static_cast<float>(-Band * geometry.GetUnit());
-  Distances  distances;
+  Layers layers;
   for (std::size_t k = 0; k < m_Surfaces.distances.size(); ++k)
   {
-    const auto    part = CopyRegion(m_Surfaces.distances[k].GetPointer(), geometry.GetRegion(), beyond);
-    const float * value = part->GetBufferPointer();
-    distances.emplace_back(geometry.GetGrid().NumberOfNodes());
-    for (float & distance : distances.back())
+    const FloatImage & image = *m_Surfaces.distances[k];
+    auto               region = image.GetBufferedRegion();
+    layers.push_back({ m_Surfaces.labels[k], m_Surfaces.GetReplaced(k), {}, {} });
+    IndicatorLayer & layer = layers.back();
+    if (!region.Crop(geometry.GetRegion()))
     {
-      distance = std::min(static_cast<float>(*value++ / geometry.GetUnit()), Band);
-      const float least = distance > 0.0f ? LeastDistance : -LeastDistance;
-      distance = std::max(std::abs(distance) < LeastDistance ? least : distance, -Band);
+      layer.box = { { { 0, 0, 0 } }, { { -1, -1, -1 } } };
+      continue;
     }
+    layer.box = BoxOf(region, geometry.GetRegion());
+    layer.distances.reserve(region.GetNumberOfPixels());
+    itk::ImageRegionConstIterator<FloatImage> value(&image, region);
+    for (; !value.IsAtEnd(); ++value)
+    {
+      layer.distances.push_back(ToLead(value.Get() / geometry.GetUnit()));
+    }
+    ShrinkToBand(layer);
   }
-  // islands that were merged are not in surfaces any more
-  const int * label = labels->GetBufferPointer();
-  for (std::size_t n = 0; n < geometry.GetGrid().NumberOfNodes(); ++n, ++label)
+  return layers;
+}
+
+std::vector<int>
+SurfaceOverlay::GetTops(const int * own, const Layers & layers, const Grid & grid)
+{
+  std::vector<int> tops(grid.NumberOfNodes(), -1);
+  for (std::size_t k = 0; k < layers.size(); ++k)
   {
-    std::size_t top = distances.size();
-    while (top > 0 && distances[top - 1][n] < 0.0f)
-    {
-      --top;
-    }
-    for (std::size_t k = 0; k < top && m_Surfaces.labels[top - 1] != *label; ++k)
-    {
-      if (m_Surfaces.labels[k] != *label)
+    auto distance = layers[k].distances.begin();
+    layers[k].box.Visit([&](const Index & at) {
+      const auto n = grid.Offset(at);
+      if (*distance++ > 0.0f && layers[k].Hides(tops[n] < 0 ? own[n] : layers[tops[n]].label))
       {
-        distances[k][n] = -std::abs(distances[k][n]);
+        tops[n] = static_cast<int>(k);
       }
-    }
+    });
   }
-  return distances;
+  return tops;
+}
+
+void
+SurfaceOverlay::TakeMergedIslands(const int * labels, const std::vector<int> & tops, const Grid & grid, Layers & layers)
+{
+  for (IndicatorLayer & layer : layers)
+  {
+    auto distance = layer.distances.begin();
+    layer.box.Visit([&](const Index & at) {
+      const auto n = grid.Offset(at);
+      if (tops[n] >= 0 && layers[tops[n]].label != labels[n] && layer.label != labels[n])
+      {
+        *distance = -std::abs(*distance);
+      }
+      ++distance;
+    });
+  }
 }
 
 LabelImage::Pointer
 SurfaceOverlay::MakeImageBelow(const LabelImage *       labels,
                                const std::vector<int> & present,
                                const GridGeometry &     geometry,
-                               const Distances &        distances) const
+                               const int *              own,
+                               const std::vector<int> & tops) const
 {
   const Grid & grid = geometry.GetGrid();
-  const auto   own = CopyRegion(m_Image.GetPointer(), geometry.GetRegion(), present.front());
   const auto   below = LabelImage::New();
   below->CopyInformation(labels);
   below->SetRegions(labels->GetLargestPossibleRegion());
@@ -174,9 +197,8 @@ SurfaceOverlay::MakeImageBelow(const LabelImage *       labels,
   std::vector<std::size_t> known;
   for (std::size_t n = 0; n < isKnown.size(); ++n)
   {
-    const bool isHidden =
-      std::any_of(distances.begin(), distances.end(), [n](const auto & values) { return values[n] > 0.0f; });
-    label[n] = isHidden ? own->GetBufferPointer()[n] : labels->GetBufferPointer()[n];
+    const bool isHidden = tops[n] >= 0;
+    label[n] = isHidden ? own[n] : labels->GetBufferPointer()[n];
     isKnown[n] = !isHidden || std::binary_search(present.begin(), present.end(), label[n]);
     if (isKnown[n])
     {
@@ -217,82 +239,79 @@ SurfaceOverlay::ComputeIndicators(const LabelImage *       labels,
                                   const SmoothingOptions & options,
                                   Monitor &                monitor) const
 {
-  const Grid &     grid = geometry.GetGrid();
-  const Distances  distances = this->GetDistances(labels, geometry);
-  LabelIndicators  below = SmoothImage(options, this->MakeImageBelow(labels, present, geometry, distances), monitor);
-  std::vector<Box> boxes;
-  for (const auto & values : distances)
-  {
-    boxes.push_back(BoxOf(grid, values));
-  }
+  const Grid &    grid = geometry.GetGrid();
+  const auto      image = CopyRegion(m_Image.GetPointer(), geometry.GetRegion(), present.front());
+  const int *     own = image->GetBufferPointer();
+  Layers          layers = this->GetLayers(geometry);
+  const auto      tops = GetTops(own, layers, grid);
+  LabelIndicators below = SmoothImage(options, this->MakeImageBelow(labels, present, geometry, own, tops), monitor);
+  TakeMergedIslands(labels->GetBufferPointer(), tops, grid, layers);
 
-  std::vector<FloatImage::Pointer> indicators;
+  std::vector<LabelIndicator> indicators;
   for (const int label : present)
   {
     const auto place = std::find(below.labels.begin(), below.labels.end(), label);
-    const bool isBelow = place != below.labels.end();
-    const auto image = isBelow ? below.images[place - below.labels.begin()] : nullptr;
-    const Box  imageBox = isBelow ? BoxOf(image->GetBufferedRegion()) : EmptyBox(grid);
-    Box        box = imageBox;
-    for (std::size_t k = 0; k < boxes.size(); ++k)
+    indicators.push_back({ label, { { { 0, 0, 0 } }, { { -1, -1, -1 } } }, {} });
+    LabelIndicator & indicator = indicators.back();
+    for (const IndicatorLayer & layer : layers)
     {
-      if (m_Surfaces.labels[k] == label)
-      {
-        box = Union(box, boxes[k]);
-      }
+      indicator.box = layer.label == label ? Union(indicator.box, layer.box) : indicator.box;
     }
-    const auto indicator = FloatImage::New();
-    indicator->CopyInformation(labels);
-    indicator->SetRegions(RegionOf(box));
-    indicator->Allocate();
-    float * value = indicator->GetBufferPointer();
-    box.Visit([&](const Index & at) {
-      const auto n = grid.Offset(at);
-      float      largest = -Band;
-      float      over = -Band;
-      for (std::size_t k = distances.size(); k-- > 0;)
-      {
-        if (m_Surfaces.labels[k] == label)
-        {
-          largest = std::max(largest, std::min(distances[k][n], -over));
-        }
-        else
-        {
-          over = std::max(over, distances[k][n]);
-        }
-      }
-      if (imageBox.Contains(at))
-      {
-        const float own = image->GetPixel({ { at[0], at[1], at[2] } });
-        largest = std::max(largest, std::min(own, -over));
-      }
-      *value++ = largest;
-    });
-    indicators.push_back(indicator);
+    const auto source = place == below.labels.end() ? nullptr : below.images[place - below.labels.begin()];
+    const auto sourceRegion = source ? source->GetBufferedRegion() : FloatImage::RegionType();
+    const auto whole = labels->GetLargestPossibleRegion();
+    const auto sourceBox = source ? BoxOf(sourceRegion, whole) : indicator.box;
+    indicator.box = Union(indicator.box, sourceBox);
+    const Index size = indicator.box.Size();
+    indicator.values.assign(std::size_t(size[0]) * size[1] * size[2], -Band);
+    if (source)
+    {
+      const float * value = source->GetBufferPointer();
+      sourceBox.Visit([&](const Index & at) { indicator.At(at) = *value++; });
+      below.images[place - below.labels.begin()] = nullptr;
+    }
   }
-  return indicators;
+  PutOnTop(grid, layers, indicators);
+
+  std::vector<FloatImage::Pointer> images;
+  for (LabelIndicator & indicator : indicators)
+  {
+    images.push_back(FloatImage::New());
+    images.back()->CopyInformation(labels);
+    images.back()->SetRegions(RegionOf(indicator.box));
+    images.back()->Allocate();
+    std::copy(indicator.values.begin(), indicator.values.end(), images.back()->GetBufferPointer());
+    indicator.values = {};
+  }
+  return images;
 }
 
 LabelImage::Pointer
 ComposeLabels(const LabelImage * labels, const SurfaceInputs & surfaces)
 {
-  const auto composed = LabelImage::New();
+  const auto & whole = labels->GetLargestPossibleRegion();
+  const auto   composed = LabelImage::New();
   composed->CopyInformation(labels);
-  composed->SetRegions(labels->GetLargestPossibleRegion());
+  composed->SetRegions(whole);
   composed->Allocate();
-  const auto voxels = labels->GetLargestPossibleRegion().GetNumberOfPixels();
-  int *      label = composed->GetBufferPointer();
-  std::copy(labels->GetBufferPointer(), labels->GetBufferPointer() + voxels, label);
+  std::copy_n(labels->GetBufferPointer(), whole.GetNumberOfPixels(), composed->GetBufferPointer());
   for (std::size_t k = 0; k < surfaces.distances.size(); ++k)
   {
-    const float * const distance = surfaces.distances[k]->GetBufferPointer();
-    bool                isThere = false;
-    for (std::size_t v = 0; v < voxels; ++v)
+    const auto replaced = surfaces.GetReplaced(k);
+    auto       region = surfaces.distances[k]->GetBufferedRegion();
+    const bool isInImage = region.Crop(whole);
+    bool       isThere = false;
+    if (isInImage)
     {
-      if (distance[v] > 0.0f)
+      itk::ImageRegionConstIterator<FloatImage> distance(surfaces.distances[k], region);
+      itk::ImageRegionIterator<LabelImage>      label(composed, region);
+      for (; !label.IsAtEnd(); ++label, ++distance)
       {
-        label[v] = surfaces.labels[k];
-        isThere = true;
+        if (distance.Get() > 0.0f && (replaced.empty() || Contains(replaced, label.Get())))
+        {
+          label.Set(surfaces.labels[k]);
+          isThere = true;
+        }
       }
     }
     if (!isThere)

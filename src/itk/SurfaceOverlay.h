@@ -20,17 +20,15 @@
 
 #include "base/Monitor.h"
 #include "itk/GridGeometry.h"
+#include "itk/IndicatorLayers.h"
 #include "itkSurfaceStages.h"
 
 namespace mmm
 {
-/** \brief The indicators of a label image with surfaces on top of it.
+/** \brief The indicators of a label image with surfaces on top of it: see PutOnTop().
  *
- * With d_k for the signed distance of surface k, positive inside, and phi_i for the smooth indicator of label i of the
- * image, the indicator of label l is the largest of min(d_k, -d of every later surface of another label) over the
- * surfaces k of label l, and min(phi_l, -d of every surface of another label). So where a surface is visible, the
- * indicator within is d and that of what is around is -d: the interface is where d is 0, whatever the image's voxels
- * say. Away from surfaces the image's interfaces are as without them. */
+ * Where a surface is visible, the interface is where its distance is 0, whatever the image's voxels say. Away from
+ * surfaces the image's interfaces are as without them. */
 class SurfaceOverlay
 {
 public:
@@ -51,18 +49,25 @@ public:
                     Monitor &                monitor) const;
 
 private:
-  using Distances = std::vector<std::vector<float>>;
+  using Layers = std::vector<IndicatorLayer>;
 
-  /** At the nodes of the grid, in its unit. */
-  Distances
-  GetDistances(const LabelImage * labels, const GridGeometry & geometry) const;
+  /** The surfaces at the nodes of the grid, in its unit. */
+  Layers
+  GetLayers(const GridGeometry & geometry) const;
+  /** The number of the layer that is visible at each node, or -1. */
+  static std::vector<int>
+  GetTops(const int * own, const Layers & layers, const Grid & grid);
+  /** Islands that were merged are not in surfaces any more. */
+  static void
+  TakeMergedIslands(const int * labels, const std::vector<int> & tops, const Grid & grid, Layers & layers);
   /** The image below the surfaces: where they hide it, its own labels as far as they are visible elsewhere, else those
    * of the nearest such voxels. */
   LabelImage::Pointer
   MakeImageBelow(const LabelImage *       labels,
                  const std::vector<int> & present,
                  const GridGeometry &     geometry,
-                 const Distances &        distances) const;
+                 const int *              own,
+                 const std::vector<int> & tops) const;
 
   SurfaceInputs            m_Surfaces;
   LabelImage::ConstPointer m_Image;
