@@ -130,8 +130,8 @@ public:
    * label image, in mm, positive inside and right within 3 times the smallest voxel spacing, as
    * TriangleSurfaceToDistanceImageFilter makes it. What is inside has the label of the same number in SurfaceLabels,
    * whatever the image says and earlier surfaces enclose. The interface is where the distance is 0, not smoothed; where
-   * surfaces cross each other or interfaces of the image, it is rounded over about a voxel. Radius is for the rest of
-   * the image. A surface without a voxel gives an ExceptionObject. */
+   * a surface crosses interfaces of the image, it is rounded over about a voxel. Radius is for the rest of the image. A
+   * surface without a voxel gives an ExceptionObject. */
   void
   SetSurfaceDistanceImage(unsigned int number, const SurfaceDistanceImageType * image);
   const SurfaceDistanceImageType *
@@ -143,6 +143,28 @@ public:
   virtual void
   SetSurfaceLabels(const LabelsType & labels);
   itkGetConstReferenceMacro(SurfaceLabels, LabelsType);
+
+  /** Electrodes and implants on top of the image and the surfaces, by their shapes, see docs/electrodes.md: electrodes
+   * stand on the skin, which stays as it is below them, and implants hide all that is there. The image is extended by
+   * exterior where they go beyond it. What is wrong with one gives an ExceptionObject that begins with its source.
+   * Default: none. */
+  virtual void
+  SetElectrodes(const mmm::Electrodes & electrodes)
+  {
+    m_Electrodes = electrodes;
+    this->Modified();
+  }
+  const mmm::Electrodes &
+  GetElectrodes() const
+  {
+    return m_Electrodes;
+  }
+  /** SetElectrodes() with those of a JSON file. Throws an ExceptionObject with the place in the file that is wrong. */
+  void
+  ReadElectrodes(const std::string & fileName)
+  {
+    this->SetElectrodes(mmm::ReadElectrodes(fileName));
+  }
 
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
@@ -223,6 +245,13 @@ public:
     return m_Results.vanishedLabels;
   }
 
+  /** Where electrodes are, and their contact areas, in their order. */
+  const std::vector<mmm::ElectrodeReport> &
+  GetElectrodeReports() const
+  {
+    return m_Results.electrodes;
+  }
+
   /** With KeepIntermediates: the signed distance of a label's smoothed boundary, in mm, positive inside, on the label's
    * bounding box and a band around it. Throws an ExceptionObject if there is none for the label. */
   const IndicatorImageType *
@@ -276,6 +305,7 @@ private:
 
   LabelsType        m_ExteriorLabels{ 0 };
   LabelsType        m_SurfaceLabels;
+  mmm::Electrodes   m_Electrodes;
   bool              m_FillExterior{ false };
   double            m_AirMargin{ Superclass::Automatic };
   bool              m_AcceptIntensities{ false };

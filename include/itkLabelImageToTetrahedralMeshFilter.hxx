@@ -125,6 +125,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetInputs() const
   inputs.options.allowVanishedLabels = m_AllowVanishedLabels;
   inputs.options.keepIntermediates = m_KeepIntermediates;
   inputs.surfaces = this->GetSurfaces();
+  inputs.electrodes = m_Electrodes;
   inputs.sizing = this->GetSizingInputs();
   inputs.meshing = this->GetMeshingOptions();
   return inputs;
@@ -174,6 +175,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   Superclass::PrintSelf(os, indent);
   os << indent << "ExteriorLabels: " << m_ExteriorLabels << std::endl;
   os << indent << "SurfaceLabels: " << m_SurfaceLabels << std::endl;
+  os << indent << "Electrodes: " << m_Electrodes.list.size() << std::endl;
   os << indent << "FillExterior: " << (m_FillExterior ? "On" : "Off") << std::endl;
   os << indent << "AirMargin: " << m_AirMargin << std::endl;
   os << indent << "AcceptIntensities: " << (m_AcceptIntensities ? "On" : "Off") << std::endl;

@@ -18,6 +18,7 @@
 #ifndef itkLabelMeshing_h
 #define itkLabelMeshing_h
 
+#include "itkElectrodes.h"
 #include "itkIndicatorImageStages.h"
 #include "itkLabelImageStages.h"
 #include "itkSurfaceStages.h"
@@ -37,8 +38,9 @@ struct LabelMeshingInputs
   /** Where the indicators are to follow functions of the materials, on the image's grid, rather than the labels: these
    * and the labels of each. If none is exterior, the exterior's is what they leave. */
   IndicatorInputs functions;
-  /** Surfaces on top of the image; not with functions. */
+  /** Surfaces on top of the image, and electrodes on top of them; not with functions. */
   SurfaceInputs surfaces;
+  Electrodes    electrodes;
 };
 
 /** What it tells, besides the state of the meshing. */
@@ -49,6 +51,8 @@ struct LabelMeshingResults
   std::vector<int>            absentExteriorLabels;
   std::map<int, IslandRecord> islandRecords;
   LabelCounts                 vanishedLabels;
+  /** In the order of the electrodes. */
+  std::vector<ElectrodeReport> electrodes;
   /** In the order of the labels. */
   std::vector<FloatImage::Pointer> indicatorImages;
   FloatImage::Pointer              sizingImage;

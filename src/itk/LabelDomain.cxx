@@ -89,7 +89,8 @@ LabelDomain::VerifyRegionOfInterest(const MaskImage * mask) const
   {
     return;
   }
-  const auto &                              region = m_Image->GetLargestPossibleRegion();
+  // electrodes may have made the image larger
+  const auto &                              region = mask->GetLargestPossibleRegion();
   itk::ImageRegionConstIterator<LabelImage> label(m_Image, region);
   itk::ImageRegionConstIterator<MaskImage>  inRegion(mask, region);
   for (; !label.IsAtEnd(); ++label, ++inRegion)

@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itkLabelMeshing.h"
 
+#include "itk/ElectrodeContacts.h"
+#include "itk/ElectrodeSurfaces.h"
 #include "itk/FilterMonitor.h"
 #include "itk/FunctionImages.h"
 #include "itk/ImageRegions.h"
@@ -198,12 +200,13 @@ public:
       // all exterior is one material, with the first of its labels if there is any of that
       label = Contains(m_Inputs.options.exteriorLabels, label) ? m_Inputs.options.exteriorLabels.front() : label;
     }
-    const SurfaceOverlay surfaces(m_Inputs.surfaces, m_Inputs.labels);
+    const ElectrodeSurfaces electrodes(m_Inputs, m_Results.electrodes);
+    const SurfaceOverlay    surfaces(m_Inputs.surfaces, UniteExterior(m_Inputs));
     if (!m_Inputs.surfaces.labels.empty())
     {
       m_Inputs.labels = ComposeLabels(m_Inputs.labels, m_Inputs.surfaces).GetPointer();
     }
-    auto               labels = this->Crop(this->MergeIslands());
+    auto               labels = this->Crop(this->MergeIslands(electrodes));
     const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());
 
     m_Monitor.BeginStage("indicators");
@@ -239,6 +242,11 @@ public:
       }
     }
     meshed.insert(m_State.outsideLabel);
+    MeasureContacts(m_Inputs.electrodes,
+                    m_Outputs.surface,
+                    m_Inputs.options.exteriorLabels,
+                    m_State.outsideLabel,
+                    m_Results.electrodes);
     m_Results.vanishedLabels = FindVanished(m_Results.labels, meshed, m_Counts);
     if (!m_Inputs.options.allowVanishedLabels)
     {
@@ -260,7 +268,7 @@ public:
 private:
   /** In the grid's geometry. The input is not needed any more. */
   LabelImage::Pointer
-  MergeIslands()
+  MergeIslands(const ElectrodeSurfaces & electrodes)
   {
     const LabelDomain domain(m_Inputs);
     m_Counts = domain.GetCounts();
@@ -275,6 +283,7 @@ private:
                       m_Results.islandRecords,
                       m_Results.absentExteriorLabels,
                       m_Monitor);
+    electrodes.Restore(m_Inputs.surfaces, domain, labels, m_Results.islandRecords);
     for (const auto & entry : CountLabels(labels))
     {
       m_Results.labels.push_back(entry.first);

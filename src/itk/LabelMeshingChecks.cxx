@@ -65,6 +65,10 @@ DescribeError(const LabelMeshingInputs & inputs)
   {
     words << "The exterior is to be filled, but no label is exterior.";
   }
+  else if (!inputs.electrodes.list.empty() && options.exteriorLabels.empty())
+  {
+    words << "Electrodes stand on the skin, where exterior begins, but no label is exterior.";
+  }
   else
   {
     const std::string error = DescribeError(inputs.surfaces);
