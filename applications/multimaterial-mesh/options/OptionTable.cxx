@@ -84,6 +84,8 @@ MakeTable()
       "Without LABELS: the voxels of the grid on which the surfaces are known.", {}, Audience::CommandLine },
     { "surface-ras", &S::surfacesAreInRAS, Kind::Flag, "", "", AnyValue, "",
       "Points of surface files that do not say are in RAS instead of LPS.", {}, Audience::CommandLine },
+    { "electrodes", &S::electrodes, Kind::TextFile, "FILE.json", "", AnyValue, "",
+      "Put electrodes and implants on top, as the exact shapes that the file describes: docs/electrodes.md." },
     { "labels", &S::onlyLabels, Kind::Labels, "L[,L...]", "", AnyValue, "all",
       "Labels to mesh; all others become exterior. --map comes first, then --merge, then this." },
     { "merge", &S::merges, Kind::Merges, "NEW=L,L[,L...]", "", AnyValue, "",

@@ -61,6 +61,9 @@ struct Settings
   std::optional<double>     surfaceSpacing;
   bool                      surfacesAreInRAS{ false };
 
+  /** On top of all this: a file of electrodes. */
+  std::string electrodes;
+
   /** The labels to mesh, if they are listed; which are joined, "9=3,4;8=1,2"; and a file of other numbers for them. */
   std::vector<int> onlyLabels;
   std::string      merges;

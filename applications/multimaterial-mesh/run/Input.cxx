@@ -22,6 +22,7 @@
 #include "console/Warnings.h"
 #include "options/FileNames.h"
 #include "run/Conductivity.h"
+#include "run/Electrodes.h"
 #include "run/LabelChanges.h"
 #include "run/Surfaces.h"
 #include "itkIndicatorImagesToLabelImageFilter.h"
@@ -278,12 +279,16 @@ ReadInput(const Settings & settings)
   {
     CheckLabels(settings.labels, input, settings.labelsAnyway);
   }
+  if (!settings.electrodes.empty())
+  {
+    AddElectrodes(settings, input);
+  }
   WarnOfSpacing(*input.labels);
   WarnOfUnusedFormat(settings);
   CheckLabelsFit(settings, input.voxels);
   WarnOfAbsentExterior(settings, input.voxels);
   const auto meshed = LabelsToMesh(settings, input.voxels);
-  input.names = ReadLabelNames(settings, changes, meshed);
+  input.names = ReadLabelNames(settings, changes, meshed, mmm::NamesOf(input.electrodes));
   if (!settings.conductivity.empty())
   {
     input.conductivity = ReadConductivity(settings.conductivity, input.names, meshed);

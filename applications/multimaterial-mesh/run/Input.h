@@ -20,6 +20,7 @@
 
 #include "options/Settings.h"
 #include "run/LabelNames.h"
+#include "itkElectrodes.h"
 #include "itkLabelImageStages.h"
 #include "itkSurfaceStages.h"
 #include "itkVolumeFileReader.h"
@@ -52,7 +53,8 @@ struct Input
   LabelImage::Pointer               labels;
   std::vector<ScalarImage::Pointer> indicators;
   mmm::SurfaceInputs                surfaces;
-  /** By label, surfaces on top. */
+  mmm::Electrodes                   electrodes;
+  /** By label, surfaces on top; of electrodes it is known after meshing. */
   mmm::LabelCounts voxels;
   LabelNames       names;
   /** In S/m, of the labels that are meshed; empty without --conductivity. */

@@ -127,12 +127,20 @@ LabelNames::Describe(int label) const
 }
 
 LabelNames
-ReadLabelNames(const Settings & settings, const std::map<int, int> & changes, const std::set<int> & meshed)
+ReadLabelNames(const Settings &           settings,
+               const std::map<int, int> & changes,
+               const std::set<int> &      meshed,
+               const mmm::LabelTable &    own)
 {
   const bool isFound = settings.names.empty();
   LabelNames names;
-  if (settings.names == "none" || (isFound && settings.labels.empty()))
+  if (settings.names == "none")
   {
+    return names;
+  }
+  if (isFound && settings.labels.empty())
+  {
+    names.table = own;
     return names;
   }
   if (isFound)
@@ -142,6 +150,14 @@ ReadLabelNames(const Settings & settings, const std::map<int, int> & changes, co
   else
   {
     names = { settings.names, ReadTable(settings.names) };
+  }
+  // what a table says of electrodes comes before what they say themselves
+  for (const auto & entry : own)
+  {
+    if (!entry.second.name.empty())
+    {
+      names.table.insert(entry);
+    }
   }
   if (!names.file.empty())
   {

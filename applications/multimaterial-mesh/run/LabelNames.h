@@ -46,10 +46,14 @@ struct LabelNames
  *
  * The table of --names names the labels that are meshed. A table that was found names those of the image: a label keeps
  * its name where --map and --merge give it another number; one that joins several has a name if they all have the same.
- * `changes`: what the labels of the image have become; empty if they are as they were. Warns of the `meshed` labels
- * that have no name, and of a table that was found and cannot be read. Throws where that of --names cannot. */
+ * Labels that the table lacks have the names of `own`, if there are. `changes`: what the labels of the image have
+ * become; empty if they are as they were. Warns of the `meshed` labels that have no name, and of a table that was found
+ * and cannot be read. Throws where that of --names cannot. */
 LabelNames
-ReadLabelNames(const Settings & settings, const std::map<int, int> & changes, const std::set<int> & meshed);
+ReadLabelNames(const Settings &           settings,
+               const std::map<int, int> & changes,
+               const std::set<int> &      meshed,
+               const mmm::LabelTable &    own);
 } // namespace cli
 
 #endif

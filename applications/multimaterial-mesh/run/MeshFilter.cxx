@@ -131,6 +131,7 @@ MakeMeshFilter(const Settings & settings, const Input & input)
       filter->SetSurfaceDistanceImage(static_cast<unsigned int>(n), input.surfaces.distances[n]);
     }
     filter->SetSurfaceLabels(input.surfaces.labels);
+    filter->SetElectrodes(input.electrodes);
     Configure(filter, settings);
     return filter;
   }

@@ -20,6 +20,7 @@
 #include "console/Warnings.h"
 #include "options/OptionTable.h"
 #include "options/Version.h"
+#include "run/Electrodes.h"
 #include "run/Summary.h"
 #include "itkMeshPage.h"
 
@@ -99,6 +100,10 @@ InputSection(const Outcome & outcome)
   {
     section["surfaces"] = ToJson(outcome.settings.surfaceLabels);
   }
+  if (!outcome.settings.electrodes.empty())
+  {
+    section["electrodes"] = outcome.settings.electrodes;
+  }
   section["size"] = { size[0], size[1], size[2] };
   section["spacing_mm"] = Triple(outcome.input.labels->GetSpacing());
   section["origin_mm"] = Triple(outcome.input.labels->GetOrigin());
@@ -132,7 +137,8 @@ NameSection(const Outcome & outcome)
                        { "color", entry->second.color ? Triple(*entry->second.color) : Json(nullptr) } });
     }
   }
-  return { { "file", outcome.input.names.file }, { "labels", list } };
+  const std::string & file = outcome.input.names.file;
+  return { { "file", file.empty() ? Json(nullptr) : Json(file) }, { "labels", list } };
 }
 
 /** The image, where there is one, and the numbers' range without what is no number. */
@@ -293,7 +299,11 @@ MakeReport(const Outcome & outcome, const itk::MeshFacts & facts)
   {
     report["hulls"] = HullSection(outcome);
   }
-  if (!outcome.input.names.file.empty())
+  if (!outcome.filter->GetElectrodeReports().empty())
+  {
+    report["electrodes"] = DescribeElectrodes(outcome.filter->GetElectrodeReports());
+  }
+  if (!outcome.input.names.table.empty())
   {
     report["label_names"] = NameSection(outcome);
   }

@@ -21,6 +21,7 @@
 #include "console/Warnings.h"
 #include "options/FileNames.h"
 #include "run/CellData.h"
+#include "run/Electrodes.h"
 #include "run/Hulls.h"
 #include "run/Outcome.h"
 #include "run/Output.h"
@@ -161,6 +162,7 @@ Run(Settings settings)
     return;
   }
   clock.Append(outcome.filter->GetStageRecords());
+  FinishElectrodes(*outcome.filter, outcome.input);
   TakeMeshes(outcome);
   clock.Run("quality", 1.0, [&] { MeasureQuality(outcome); });
   if (settings.HasCellData())

@@ -19,6 +19,7 @@
 
 #include "console/Warnings.h"
 #include "options/FileNames.h"
+#include "run/Electrodes.h"
 
 #include "vnl/vnl_det.h"
 
@@ -140,6 +141,7 @@ PrintSummary(std::ostream & os, const Outcome & outcome)
        << curving.smallestJacobian << " of that with straight edges\n";
   }
   PrintLabels(os, outcome);
+  PrintElectrodes(os, outcome.filter->GetElectrodeReports());
   os << "written:";
   for (std::size_t f = 0; f < outcome.files.size(); ++f)
   {

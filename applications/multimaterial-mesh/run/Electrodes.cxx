@@ -1,0 +1,103 @@
+/*=========================================================================
+ *
+ *  Copyright NumFOCUS
+ *
+ *  Licensed under the Apache License, Version 2.0 (the "License");
+ *  you may not use this file except in compliance with the License.
+ *  You may obtain a copy of the License at
+ *
+ *         https://www.apache.org/licenses/LICENSE-2.0.txt
+ *
+ *  Unless required by applicable law or agreed to in writing, software
+ *  distributed under the License is distributed on an "AS IS" BASIS,
+ *  WITHOUT WARRANTIES OR CONDITIONS OF ANY KIND, either express or implied.
+ *  See the License for the specific language governing permissions and
+ *  limitations under the License.
+ *
+ *=========================================================================*/
+#include "run/Electrodes.h"
+
+#include "console/Warnings.h"
+#include "itkLabelImageToTetrahedralMeshFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <ostream>
+
+namespace cli
+{
+void
+AddElectrodes(const Settings & settings, Input & input)
+{
+  input.electrodes = mmm::ReadElectrodes(settings.electrodes);
+  for (const auto & entry : mmm::NamesOf(input.electrodes))
+  {
+    // how many they are is known when they are placed
+    input.voxels.insert({ entry.first, 0 });
+  }
+}
+
+void
+FinishElectrodes(const MeshFilter & filter, Input & input)
+{
+  for (const auto & entry : mmm::NamesOf(input.electrodes))
+  {
+    const auto record = filter.GetIslandRecords().find(entry.first);
+    if (record != filter.GetIslandRecords().end())
+    {
+      input.voxels[entry.first] = record->second.voxelsBefore;
+    }
+  }
+  const auto & reports = filter.GetElectrodeReports();
+  for (std::size_t n = 0; n < reports.size(); ++n)
+  {
+    for (const std::string & covered : reports[n].covered)
+    {
+      Warn(input.electrodes.list[n].source + ": '" + reports[n].name + "' overlaps '" + covered +
+           "', which is before it and gives way");
+    }
+  }
+}
+
+nlohmann::ordered_json
+DescribeElectrodes(const std::vector<mmm::ElectrodeReport> & electrodes)
+{
+  using Json = nlohmann::ordered_json;
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  Json       list = Json::array();
+  for (const mmm::ElectrodeReport & electrode : electrodes)
+  {
+    const auto & position = electrode.position;
+    list.push_back({ { "name", electrode.name },
+                     { "label", electrode.label },
+                     { "position_mm", { position[0], position[1], position[2] } },
+                     { "projection_mm", number(electrode.projection) },
+                     { "contact_area_mm2", number(electrode.contactArea) },
+                     { "expected_area_mm2", number(electrode.expectedArea) },
+                     { "gel_contact_area_mm2", number(electrode.gelContactArea) },
+                     { "expected_gel_area_mm2", number(electrode.expectedGelArea) },
+                     { "covers", electrode.covered } });
+  }
+  return list;
+}
+
+void
+PrintElectrodes(std::ostream & os, const std::vector<mmm::ElectrodeReport> & electrodes)
+{
+  double farthest = 0.0;
+  double worst = 0.0;
+  for (const mmm::ElectrodeReport & electrode : electrodes)
+  {
+    farthest = std::fmax(farthest, electrode.projection);
+    const double error = electrode.contactArea / electrode.expectedArea - 1.0;
+    worst = std::abs(error) > std::abs(worst) ? error : worst;
+  }
+  if (!electrodes.empty())
+  {
+    os << "electrodes: " << electrodes.size() << ", up to " << std::fixed << std::setprecision(1) << farthest
+       << " mm from the skin before; contact areas are within " << std::abs(100.0 * worst)
+       << " % of what the shapes say\n";
+  }
+}
+} // namespace cli
