@@ -154,18 +154,18 @@ public:
     m_Electrodes = electrodes;
     this->Modified();
   }
+  /** Those of a JSON file, which is read at once. Throws an ExceptionObject with the place in the file that is wrong.
+   */
+  void
+  SetElectrodes(const std::string & fileName)
+  {
+    this->SetElectrodes(mmm::ReadElectrodes(fileName));
+  }
   const mmm::Electrodes &
   GetElectrodes() const
   {
     return m_Electrodes;
   }
-  /** SetElectrodes() with those of a JSON file. Throws an ExceptionObject with the place in the file that is wrong. */
-  void
-  ReadElectrodes(const std::string & fileName)
-  {
-    this->SetElectrodes(mmm::ReadElectrodes(fileName));
-  }
-
   /** Components of a label (6-connected) with fewer voxels than this go to the neighbour that they touch most. A
    * label's largest component always stays. 0 and 1 keep all. Default: 8. */
   itkSetMacro(MinimumIslandSize, SizeValueType);

@@ -4,7 +4,7 @@
 %}
 
 %typemap(out) mmm::MeshingReport const &, mmm::MeshQualityReport const &, std::vector< mmm::StageRecord > const &,
-              std::map< int, mmm::SizeRule > const &, std::map< int, mmm::LabelEntry > const &, std::map< int, mmm::IslandRecord > const &, std::map< int, unsigned long > const &,
+              std::vector< mmm::ElectrodeReport > const &, std::map< int, mmm::SizeRule > const &, std::map< int, mmm::LabelEntry > const &, std::map< int, mmm::IslandRecord > const &, std::map< int, unsigned long > const &,
               std::map< int, unsigned long long > const &
 {
   $result = mmm::ToPython(*$1);

@@ -24,6 +24,7 @@
 #include "MultiMaterialMeshingOptions.h"
 #include "MultiMaterialMeshingQuality.h"
 #include "MultiMaterialMeshingReports.h"
+#include "itkElectrodes.h"
 
 #include <array>
 #include <cstddef>
@@ -157,6 +158,21 @@ ToPython(const LabelEntry & entry)
     Py_INCREF(color);
   }
   return MakeNamespace({ { "name", ToPython(entry.name) }, { "color", color } });
+}
+
+inline PyObject *
+ToPython(const ElectrodeReport & report)
+{
+  const std::array<double, 3> position{ { report.position[0], report.position[1], report.position[2] } };
+  return MakeNamespace({ { "name", ToPython(report.name) },
+                         { "label", ToPython(report.label) },
+                         { "position", ToPython(position) },
+                         { "projection", ToPython(report.projection) },
+                         { "contact_area", ToPython(report.contactArea) },
+                         { "expected_area", ToPython(report.expectedArea) },
+                         { "gel_contact_area", ToPython(report.gelContactArea) },
+                         { "expected_gel_area", ToPython(report.expectedGelArea) },
+                         { "covered", ToPython(report.covered) } });
 }
 
 inline PyObject *

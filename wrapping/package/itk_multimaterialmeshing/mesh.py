@@ -263,7 +263,8 @@ def multimaterial_mesh(
     report : a file to write on what was meshed and what came out: a page to look at in a browser if the name ends with
         .html, else JSON. It has the labels' topology, too (compare_topology). Default: none.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
-        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, element_order=2,
+        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, electrodes="cap.json",
+        element_order=2,
         maximum_memory=8.0 (GB), maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with
         region_maximum_size=1.0.
 
@@ -307,6 +308,8 @@ def multimaterial_mesh(
             if value is not None:
                 _inputs.set_option(mesher, name, value)
         mesher.Update()
+        for electrode in mesher.GetElectrodeReports():
+            label_names.setdefault(electrode.label, electrode.name)
         if report is not None:
             mesher.WriteReport(os.fspath(report))
     return _from_filter(mesher, label_names)
