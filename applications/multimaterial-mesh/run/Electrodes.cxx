@@ -95,9 +95,8 @@ PrintElectrodes(std::ostream & os, const std::vector<mmm::ElectrodeReport> & ele
   }
   if (!electrodes.empty())
   {
-    os << "electrodes: " << electrodes.size() << ", up to " << std::fixed << std::setprecision(1) << farthest
-       << " mm from the skin before; contact areas are within " << std::abs(100.0 * worst)
-       << " % of what the shapes say\n";
+    os << "electrodes: " << electrodes.size() << ", moved by up to " << std::fixed << std::setprecision(1) << farthest
+       << " mm onto the skin; contact areas are within " << std::abs(100.0 * worst) << " % of those of their shapes\n";
   }
 }
 } // namespace cli

@@ -64,10 +64,11 @@ PrintLabels(std::ostream & os, const Outcome & outcome)
     double error;
   };
   std::vector<Line> lines;
+  const auto        electrodes = mmm::NamesOf(outcome.input.electrodes);
   for (const auto & label : outcome.quality.labels)
   {
-    // the exterior's volume is that of the box, not of its voxels
-    if (!outcome.settings.IsExterior(label.label))
+    // the exterior's volume is that of the box, and electrodes are shapes: neither is that of voxels
+    if (!outcome.settings.IsExterior(label.label) && electrodes.count(label.label) == 0)
     {
       const auto & curved = outcome.filter->GetReport().curving.volumes;
       const auto   found = curved.find(label.label);
