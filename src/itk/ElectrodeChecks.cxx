@@ -27,6 +27,8 @@ namespace
 {
 /** Further from the skin, a place is a mistake. In mm. */
 constexpr double FarthestProjection = 20.0;
+/** No electrode is larger. In mm. */
+constexpr double LargestLength = 500.0;
 } // namespace
 
 void
@@ -46,7 +48,11 @@ void
 ElectrodeChecks::VerifyLength(const Electrode & electrode, const char * key, double length, double voxels) const
 {
   const double least = voxels * m_Voxel;
-  if (length < least * (1.0 - 1e-6))
+  if (length > LargestLength)
+  {
+    Fail(electrode, key, length, " mm is too large; it can be ", LargestLength, " mm at most");
+  }
+  if (!(length >= least * (1.0 - 1e-6)))
   {
     Fail(electrode,
          key,
@@ -66,10 +72,14 @@ ElectrodeChecks::Verify(const Electrode & electrode) const
   switch (electrode.shape)
   {
     case ElectrodeShape::Rectangle:
-      this->VerifyLength(electrode, "size", std::min(electrode.size[0], electrode.size[1]));
+      this->VerifyLength(electrode, "size", electrode.size[0]);
+      this->VerifyLength(electrode, "size", electrode.size[1]);
       break;
     case ElectrodeShape::Box:
-      this->VerifyLength(electrode, "size", *std::min_element(electrode.size.begin(), electrode.size.end()));
+      for (const double edge : electrode.size)
+      {
+        this->VerifyLength(electrode, "size", edge);
+      }
       break;
     default:
       if (electrode.innerRadius > 0.0)
@@ -117,7 +127,7 @@ ElectrodeChecks::VerifyBulge(const Electrode & electrode, const char * key, doub
 void
 ElectrodeChecks::VerifyProjection(const Electrode & electrode, double distance)
 {
-  if (distance > FarthestProjection)
+  if (!(distance <= FarthestProjection))
   {
     Fail(electrode,
          electrode.site.empty() ? "position" : "site",

@@ -319,6 +319,10 @@ TEST(Electrodes, ThatCannotBePlacedAreRefused)
   bad = good;
   bad.radius = 0.5;
   expect(bad, ".radius: 0.5 mm is too small for voxels of 1 mm; it has to be 0.75 mm or more");
+  bad.radius = 1e9;
+  expect(bad, ".radius: 1e+09 mm is too large; it can be 500 mm at most");
+  bad.radius = std::numeric_limits<double>::quiet_NaN();
+  expect(bad, ".radius: nan mm is too small");
   bad = good;
   bad.position = At(Middle + Vector(100.0, 0.0, 0.0));
   expect(bad, ".position: the skin is 85");
