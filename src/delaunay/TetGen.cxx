@@ -95,7 +95,7 @@ Run(const std::string & switches, tetgenio & in, tetgenio & out)
   std::ostringstream words;
   try
   {
-    tetrahedralize(&arguments[0], &in, &out);
+    tetrahedralize(arguments.data(), &in, &out);
     return "";
   }
   catch (const char * assertion)

@@ -108,7 +108,7 @@ private:
 
   ElectrodeLengths  m_Lengths;
   SkinFrame         m_Frame;
-  double            m_Half[2];
+  double            m_Half[2]{};
   SkinPatch         m_Patch;
   SkinPatch::Extent m_Extent;
 };

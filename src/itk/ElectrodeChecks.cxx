@@ -69,6 +69,10 @@ void
 ElectrodeChecks::Verify(const Electrode & electrode) const
 {
   this->VerifyLabel(electrode, "label", electrode.label);
+  if (electrode.shape == ElectrodeShape::Cylinder && !electrode.end)
+  {
+    Fail(electrode, "to", "it is missing");
+  }
   switch (electrode.shape)
   {
     case ElectrodeShape::Rectangle:

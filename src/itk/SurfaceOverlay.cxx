@@ -257,10 +257,10 @@ SurfaceOverlay::ComputeIndicators(const LabelImage *       labels,
     {
       indicator.box = layer.label == label ? Union(indicator.box, layer.box) : indicator.box;
     }
-    const auto source = place == below.labels.end() ? nullptr : below.images[place - below.labels.begin()];
-    const auto sourceRegion = source ? source->GetBufferedRegion() : FloatImage::RegionType();
-    const auto whole = labels->GetLargestPossibleRegion();
-    const auto sourceBox = source ? BoxOf(sourceRegion, whole) : indicator.box;
+    const auto   source = place == below.labels.end() ? nullptr : below.images[place - below.labels.begin()];
+    const auto   sourceRegion = source ? source->GetBufferedRegion() : FloatImage::RegionType();
+    const auto & whole = labels->GetLargestPossibleRegion();
+    const auto   sourceBox = source ? BoxOf(sourceRegion, whole) : indicator.box;
     indicator.box = Union(indicator.box, sourceBox);
     const Index size = indicator.box.Size();
     indicator.values.assign(std::size_t(size[0]) * size[1] * size[2], -Band);

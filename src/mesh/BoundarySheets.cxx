@@ -57,7 +57,7 @@ JoinSheets(const std::vector<Vector> &          points,
   {
     return;
   }
-  const Vector       origin = points[edge[0]];
+  const Vector &     origin = points[edge[0]];
   const Vector       axis = (points[edge[1]] - origin).normalized();
   Vector             x;
   Vector             y;

@@ -337,6 +337,8 @@ TEST(Electrodes, ThatCannotBePlacedAreRefused)
   bad.shape = ElectrodeShape::Sphere;
   bad.position = At({ 0.0, 0.0, 0.0 });
   expect(bad, "electrode 'disc': it is not all within the image");
+  bad.shape = ElectrodeShape::Cylinder;
+  expect(bad, "electrode 'disc'.to: it is missing");
   const auto filled = MakeFilter({ good });
   filled->SetExteriorLabels({});
   mmmtest::ExpectException([&] { filled->Update(); }, "no label is exterior");

@@ -251,7 +251,7 @@ AddSurfaces(const Settings & settings, Input & input)
   for (std::size_t n = 0; n < meshes.size(); ++n)
   {
     const SurfaceLabel & surface = settings.surfaceLabels[n];
-    input.surfaces.distances.push_back(ComputeDistance(surface.file, meshes[n], input.labels).GetPointer());
+    input.surfaces.distances.emplace_back(ComputeDistance(surface.file, meshes[n], input.labels).GetPointer());
     input.surfaces.labels.push_back(surface.label);
   }
   input.voxels = mmm::CountLabels(mmm::ComposeLabels(input.labels, input.surfaces));
