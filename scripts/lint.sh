@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Copyright NumFOCUS. Licensed under the Apache License, Version 2.0 (see LICENSE).
 # Checks the library's and the programs' sources with clang-tidy, by .clang-tidy.
-#   scripts/lint.sh [FILE...]     all by default, which takes half an hour on two cores
+#   scripts/lint.sh [FILE...]     all by default, which takes 20 minutes on two cores
 # BUILD_DIR is where the project was configured, "build" by default.
 set -euo pipefail
 
