@@ -49,6 +49,12 @@ ListOf(std::initializer_list<const char *> names)
 }
 } // namespace
 
+std::string
+JsonFields::PathOf(const std::string & name) const
+{
+  return m_Path + (m_Path.back() == ' ' ? "" : ".") + name;
+}
+
 void
 JsonFields::Fail(const std::string & problem) const
 {
@@ -66,7 +72,7 @@ JsonFields::Allow(std::initializer_list<const char *> names) const
   {
     if (std::find(names.begin(), names.end(), member.first) == names.end())
     {
-      JsonFields(member.second, m_Path + (m_Path.back() == ' ' ? "" : ".") + member.first)
+      JsonFields(member.second, this->PathOf(member.first))
         .Fail("there is no such key here; it can be " + ListOf(names));
     }
   }
@@ -76,7 +82,7 @@ JsonFields
 JsonFields::operator[](const std::string & name) const
 {
   const JsonValue * const value = m_Value.Find(name);
-  const std::string       path = m_Path + (m_Path.back() == ' ' ? "" : ".") + name;
+  const std::string       path = this->PathOf(name);
   if (value == nullptr)
   {
     JsonFields(m_Value, path).Fail("it is missing");

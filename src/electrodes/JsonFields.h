@@ -74,6 +74,10 @@ public:
   Fail(const std::string & problem) const;
 
 private:
+  /** That of a member. */
+  std::string
+  PathOf(const std::string & name) const;
+
   const JsonValue & m_Value;
   std::string       m_Path;
 };

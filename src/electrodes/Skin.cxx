@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "electrodes/Skin.h"
 
+#include "base/FaceNeighbours.h"
 #include "base/IndexBox.h"
 #include "image/MaterialImage.h"
 #include "indicators/IndicatorSmoothing.h"
@@ -42,25 +43,6 @@ enum : Material
   Outside,
   Head
 };
-
-/** Calls body(node, beside) for the nodes across the six faces. */
-template <typename TBody>
-void
-ForEachBeside(const Grid & grid, const Index & at, const TBody & body)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    for (const int step : { -1, 1 })
-    {
-      Index beside = at;
-      beside[a] += step;
-      if (grid.Contains(beside))
-      {
-        body(beside);
-      }
-    }
-  }
-}
 
 bool
 IsAtBorder(const Grid & grid, const Index & at)
@@ -94,7 +76,7 @@ FindOutside(const Grid & grid, const std::vector<bool> & isExterior)
   });
   for (std::size_t next = 0; next < found.size(); ++next)
   {
-    ForEachBeside(grid, grid.IndexAt(found[next]), [&](const Index & beside) { add(grid.Offset(beside)); });
+    ForEachFaceNeighbour(grid, grid.IndexAt(found[next]), [&](const Index & beside) { add(grid.Offset(beside)); });
   }
   if (found.empty() || found.size() == grid.NumberOfNodes())
   {
@@ -118,7 +100,7 @@ Skin::Skin(const MaterialImage & image)
   IndexBox::Of(image.grid.size).Visit([&](const Index & at) {
     if (image.materials[image.grid.Offset(at)] == Head)
     {
-      ForEachBeside(image.grid, at, [&](const Index & beside) {
+      ForEachFaceNeighbour(image.grid, at, [&](const Index & beside) {
         if (image.materials[image.grid.Offset(beside)] == Outside)
         {
           m_Faces.push_back(0.5 * (image.grid.Position(at) + image.grid.Position(beside)));

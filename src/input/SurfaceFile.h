@@ -38,6 +38,10 @@ struct SurfaceFile
 [[noreturn]] void
 ThrowDamagedSurface(const std::string & fileName, const std::string & reason);
 
+/** Throws itk::ExceptionObject unless a cell has three corners. */
+void
+CheckCorners(const std::string & fileName, std::size_t cell, std::size_t corners);
+
 /** Whether the bytes are those of a surface of FreeSurfer. */
 bool
 IsFreeSurferSurface(const std::string & bytes);

@@ -101,16 +101,6 @@ private:
   std::istringstream  m_Words;
   std::size_t         m_Number{ 0 };
 };
-
-void
-CheckCorners(const std::string & fileName, std::size_t cell, std::size_t corners)
-{
-  if (corners != 3)
-  {
-    itkGenericExceptionMacro(<< fileName << ": cell " << cell << " has " << corners
-                             << " points; triangulate the surface first");
-  }
-}
 } // namespace
 
 SurfaceFile

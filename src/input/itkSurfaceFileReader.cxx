@@ -39,6 +39,16 @@ ThrowDamagedSurface(const std::string & fileName, const std::string & reason)
 {
   itkGenericExceptionMacro(<< fileName << ": the surface cannot be read, it may be damaged: " << reason);
 }
+
+void
+CheckCorners(const std::string & fileName, std::size_t cell, std::size_t corners)
+{
+  if (corners != 3)
+  {
+    itkGenericExceptionMacro(<< fileName << ": cell " << cell << " has " << corners
+                             << " points; triangulate the surface first");
+  }
+}
 } // namespace mmm
 
 namespace itk
@@ -131,11 +141,7 @@ ReadTriangles(MeshIOBase & io, mmm::SurfaceTriangles & surface)
         mmm::ThrowDamagedSurface(fileName, "it ends in cell " + std::to_string(cell));
       }
       const auto points = static_cast<std::size_t>(values[at + 1]);
-      if (points != 3)
-      {
-        itkGenericExceptionMacro(<< fileName << ": cell " << cell << " has " << points
-                                 << " points; triangulate the surface first");
-      }
+      mmm::CheckCorners(fileName, cell, points);
       surface.triangles.push_back({ { static_cast<IdentifierType>(values[at + 2]),
                                       static_cast<IdentifierType>(values[at + 3]),
                                       static_cast<IdentifierType>(values[at + 4]) } });

@@ -23,11 +23,19 @@
 
 #include "itkMacro.h"
 
+#include <array>
 #include <sstream>
 #include <vector>
 
 namespace mmm
 {
+/** That of the electrode and that of its gel. */
+inline std::array<int, 2>
+LabelsOf(const Electrode & electrode)
+{
+  return { { electrode.label, electrode.gel ? electrode.gel->label : electrode.label } };
+}
+
 /** \brief Whether electrodes can be on top of a label image. What is wrong throws itk::ExceptionObject that begins with
  * the electrode's source. */
 class ElectrodeChecks

@@ -51,7 +51,6 @@ Nearest(const std::vector<std::size_t> & candidates, const Point & x, const std:
   }
   return nearest;
 }
-
 } // namespace
 
 void
@@ -61,6 +60,10 @@ MeasureContacts(const Electrodes &              electrodes,
                 int                             outsideLabel,
                 std::vector<ElectrodeReport> &  reports)
 {
+  if (electrodes.list.empty())
+  {
+    return;
+  }
   std::map<int, Owners> owners;
   for (std::size_t n = 0; n < electrodes.list.size(); ++n)
   {

@@ -79,7 +79,7 @@ public:
     m_Placed.reports.back().name = electrode.name;
     m_Placed.reports.back().label = electrode.label;
     electrode.IsOnSkin() ? this->PlaceOnSkin(electrode) : this->PlaceImplant(electrode);
-    for (const int label : { electrode.label, electrode.gel ? electrode.gel->label : electrode.label })
+    for (const int label : LabelsOf(electrode))
     {
       m_Hidden.push_back(label);
     }
@@ -125,7 +125,7 @@ private:
   AskForSize(const Electrode & electrode)
   {
     const double size = this->SizeOf(electrode);
-    for (const int label : { electrode.label, electrode.gel ? electrode.gel->label : electrode.label })
+    for (const int label : LabelsOf(electrode))
     {
       if (size > 0.0 && m_Asked.count(label) == 0)
       {

@@ -86,7 +86,7 @@ LabelImage::ConstPointer
 UniteExterior(const LabelMeshingInputs & inputs)
 {
   const auto & exterior = inputs.options.exteriorLabels;
-  const auto   counts = inputs.surfaces.labels.empty() ? LabelCounts() : CountLabels(inputs.labels);
+  const auto   counts = CountLabels(inputs.labels);
   const auto   isThere = [&](int label) { return counts.count(label) != 0; };
   const auto   first = std::find_if(exterior.begin(), exterior.end(), isThere);
   if (std::count_if(exterior.begin(), exterior.end(), isThere) < 2)

@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -200,10 +201,11 @@ public:
       // all exterior is one material, with the first of its labels if there is any of that
       label = Contains(m_Inputs.options.exteriorLabels, label) ? m_Inputs.options.exteriorLabels.front() : label;
     }
-    const ElectrodeSurfaces electrodes(m_Inputs, m_Results.electrodes);
-    const SurfaceOverlay    surfaces(m_Inputs.surfaces, UniteExterior(m_Inputs));
+    const ElectrodeSurfaces       electrodes(m_Inputs, m_Results.electrodes);
+    std::optional<SurfaceOverlay> surfaces;
     if (!m_Inputs.surfaces.labels.empty())
     {
+      surfaces.emplace(m_Inputs.surfaces, UniteExterior(m_Inputs));
       m_Inputs.labels = ComposeLabels(m_Inputs.labels, m_Inputs.surfaces).GetPointer();
     }
     auto               labels = this->Crop(this->MergeIslands(electrodes));
@@ -317,7 +319,9 @@ private:
   }
 
   std::vector<FloatImage::Pointer>
-  ComputeIndicators(const GridGeometry & geometry, const LabelImage * labels, const SurfaceOverlay & surfaces)
+  ComputeIndicators(const GridGeometry &                  geometry,
+                    const LabelImage *                    labels,
+                    const std::optional<SurfaceOverlay> & surfaces)
   {
     if (!m_Inputs.functions.images.empty())
     {
@@ -325,9 +329,8 @@ private:
         m_Inputs.functions, m_Inputs.options.exteriorLabels, m_Results.labels, labels, m_Monitor);
     }
     const SmoothingOptions options{ geometry.ToGridUnit(m_Inputs.options.radius), KeepsTopology(m_Inputs), true };
-    return m_Inputs.surfaces.labels.empty()
-             ? ComputeIndicatorImages(options, labels, m_Monitor).images
-             : surfaces.ComputeIndicators(labels, m_Results.labels, geometry, options, m_Monitor);
+    return surfaces ? surfaces->ComputeIndicators(labels, m_Results.labels, geometry, options, m_Monitor)
+                    : ComputeIndicatorImages(options, labels, m_Monitor).images;
   }
 
   LabelMeshingInputs         m_Inputs;

@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "itk/SurfaceOverlay.h"
 
+#include "base/FaceNeighbours.h"
 #include "indicators/IndicatorSmoothing.h"
 #include "itk/ImageRegions.h"
 #include "itk/LabelDomain.h"
@@ -208,22 +209,15 @@ SurfaceOverlay::MakeImageBelow(const LabelImage *       labels,
   // from voxel to voxel, all at once
   for (std::size_t next = 0; next < known.size(); ++next)
   {
-    const Index at = grid.IndexAt(known[next]);
-    for (int a = 0; a < 3; ++a)
-    {
-      for (const int step : { -1, 1 })
+    ForEachFaceNeighbour(grid, grid.IndexAt(known[next]), [&](const Index & beside) {
+      const auto n = grid.Offset(beside);
+      if (!isKnown[n])
       {
-        Index beside = at;
-        beside[a] += step;
-        if (grid.Contains(beside) && !isKnown[grid.Offset(beside)])
-        {
-          const auto n = grid.Offset(beside);
-          label[n] = label[known[next]];
-          isKnown[n] = true;
-          known.push_back(n);
-        }
+        label[n] = label[known[next]];
+        isKnown[n] = true;
+        known.push_back(n);
       }
-    }
+    });
   }
   if (known.empty())
   {
