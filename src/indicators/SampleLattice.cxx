@@ -26,8 +26,7 @@ namespace mmm
 {
 namespace
 {
-constexpr std::uint32_t None = 0xffffffffu;
-constexpr std::size_t   VoxelsPerRange = 65536;
+constexpr std::size_t VoxelsPerRange = 65536;
 /** How far samples are off their places, in samples. */
 const Vector Shift(-0.0031, -0.0047, -0.0023);
 
@@ -129,7 +128,7 @@ SampleLattice::SampleLattice(const IndicatorSet & indicators, int refinement)
         kept.push_back(n);
       }
     });
-  m_Numbers.assign(grid.NumberOfNodes(), None);
+  m_Numbers.assign(grid.NumberOfNodes(), NotNumbered);
   for (std::size_t v = 0; v < m_Voxels.size(); ++v)
   {
     m_Numbers[m_Voxels[v]] = std::uint32_t(v);
@@ -141,7 +140,7 @@ SampleLattice::PlaceOf(const Index & sample) const
 {
   const auto number = m_Numbers[this->VoxelOf(sample)];
   const int  within = m_Refinement - 1;
-  return number == None
+  return number == NotNumbered
            ? NotKept
            : std::size_t(number) * m_SamplesPerVoxel +
                ((((sample[2] & within) << m_Shift) + (sample[1] & within)) << m_Shift) + (sample[0] & within);

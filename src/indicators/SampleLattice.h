@@ -97,6 +97,13 @@ public:
   {
     return m_Voxels.size() * m_SamplesPerVoxel;
   }
+  /** Whether the samples of a voxel, by its node, are kept. Where they are not, they and all next to them are of the
+   * voxel's material. */
+  bool
+  IsKept(std::size_t node) const
+  {
+    return m_Numbers[node] != NotNumbered;
+  }
   /** Where a sample is in SampledMaterials, or NotKept. */
   std::size_t
   PlaceOf(const Index & sample) const;
@@ -143,6 +150,8 @@ private:
     const Grid & grid = m_Indicators.GetGrid();
     return x[0] > grid.UpperFace(0) || x[1] > grid.UpperFace(1) || x[2] > grid.UpperFace(2);
   }
+
+  static constexpr std::uint32_t NotNumbered = 0xffffffffu;
 
   const IndicatorSet & m_Indicators;
   const int            m_Refinement;

@@ -47,12 +47,24 @@ CellsToCompare::KeepOnly(const std::vector<char> & hasChanged)
 void
 CellsToCompare::FindMixed(Material exterior)
 {
-  constexpr std::size_t Grain = 65536;
-  ParallelFor(m_States.size(), Grain, [&](std::size_t begin, std::size_t end) {
+  constexpr std::size_t Grain = 16384;
+  // a block is a voxel; with it go the planes in front of it
+  ParallelFor(m_Blocks.Blocks().NumberOfNodes(), Grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n)
     {
-      const Index cell = m_Blocks.Cells().IndexAt(n);
-      m_States[n] = this->IsMixed(cell) ? Met : this->MaterialOf(cell) != exterior ? Other : Same;
+      const auto [i, j, k] = m_Blocks.Blocks().IndexAt(n);
+      const Index    last{ { 2 * i, 2 * j, 2 * k } };
+      const IndexBox cells{ { { std::max(0, last[0] - 1), std::max(0, last[1] - 1), std::max(0, last[2] - 1) } },
+                            last };
+      const bool     isKept = m_Lattice.IsKept(n);
+      const State    alike = this->MaterialOf(last) != exterior ? Other : Same;
+      cells.Visit([&](const Index & cell) {
+        const State ofCell = !isKept                              ? alike
+                             : this->IsMixed(cell)                ? Met
+                             : this->MaterialOf(cell) != exterior ? Other
+                                                                  : Same;
+        m_States[m_Blocks.Cells().Offset(cell)] = char(ofCell);
+      });
     }
   });
 }
