@@ -30,7 +30,7 @@ list(FILTER _formats INCLUDE REGEX "^(${_enabled})$")
 find_itk_quietly(REQUIRED COMPONENTS ${_module_DEPENDS} ${_module_PRIVATE_DEPENDS} ${_formats})
 include(UseTetGen)
 # The factories of ITK that the command line, tests and examples need are registered by ITK's own generated headers.
-include("${ITK_USE_FILE}")
+include(RegisterITKFormats)
 
 if(MultiMaterialMeshing_SANITIZE)
   add_compile_options(-fsanitize=${MultiMaterialMeshing_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -92,6 +92,13 @@ public:
     return m_CellDataNames;
   }
 
+  /** Reading: the names of the arrays that the cell pixel was joined from, after ReadMeshInformation(). */
+  const NamesType &
+  GetReadCellDataNames() const
+  {
+    return m_ReadCellDataNames;
+  }
+
   /** Names of the point data arrays, one per component of the point pixel. Default: {"point_data"}.
    *
    * Writing: if there are as many names as components, each component becomes an array of that name; if not, they
@@ -197,6 +204,7 @@ private:
   WritePart(TBody body);
 
   NamesType m_CellDataNames{ "label" };
+  NamesType m_ReadCellDataNames;
   NamesType m_PointDataNames{ "point_data" };
   bool      m_WriteSpace{ false };
 

@@ -176,6 +176,11 @@ MakeTable()
     { "sizing-mode", Target(&S::sizingMode, "SizingImageReplaces"), Kind::Choice, "M", "", AnyValue, "",
       "Whether edges get the shorter one of the sizing image's and our length, or the image's instead of ours.",
       { "minimum", "replace" } },
+    { "refine-by", Target(&S::refineBy, "SizingImage"), Kind::TextFile, "FILE.vtu", "", AnyValue, "",
+      "Shorter edges where a solution has large errors: a mesh of the same image, with the error of each tetrahedron, at "
+      "least 0, as the cell data array 'error'.", {}, Audience::CommandLine },
+    { "refine-factor", Target(&S::refineFactor), Kind::Real, "F", "", { 1.0, false, 64.0 }, "2",
+      "How many times as many tetrahedra --refine-by is to give as there are in FILE.vtu.", {}, Audience::CommandLine },
     { "roi", Target(&S::roi, "RegionOfInterest"), Kind::LabelImage, "FILE", "", AnyValue, "",
       "Region of interest: a mask on the grid of LABELS with bounds of its own where it is not 0." },
     { "roi-min-size", PARAMETER(roiMinSize, RegionMinimumSize), Kind::Real, "H", "mm", Positive, "as elsewhere",

@@ -108,6 +108,8 @@ struct Settings
   mmm::LabelSizeRules   labelSizes;
   std::string           sizingImage;
   std::string           sizingMode{ "minimum" };
+  std::string           refineBy;
+  std::optional<double> refineFactor;
   std::string           roi;
   std::optional<double> roiMinSize;
   std::optional<double> roiMaxSize;

@@ -167,6 +167,14 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("--sizing-mode replace needs --sizing-image");
   }
+  if (!settings.refineBy.empty() && !settings.sizingImage.empty())
+  {
+    throw UsageError("--refine-by makes a sizing image of its own; leave out --sizing-image");
+  }
+  if (settings.refineFactor && settings.refineBy.empty())
+  {
+    throw UsageError("--refine-factor needs --refine-by");
+  }
   CheckCellData(settings);
   CheckRegion(settings);
   CheckOrder(settings);

@@ -19,6 +19,7 @@
 
 #include "console/Errors.h"
 #include "console/Interruption.h"
+#include "itkErrorDrivenSizing.h"
 #include "itkIndicatorImagesToTetrahedralMeshFilter.h"
 #include "itkLabelMeshFileWriter.h"
 
@@ -87,8 +88,22 @@ MemoryOfMachine()
   return static_cast<double>(information.GetHostMemoryTotal()) / (1024.0 * 1024.0);
 }
 
+/** The edge lengths that the errors of a solution ask for, on the grid of an image. */
+itk::ErrorDrivenSizing::ImageType::Pointer
+SizesByErrors(const Settings & settings, const itk::ImageBase<3> * grid)
+{
+  const auto sizing = itk::ErrorDrivenSizing::New();
+  if (settings.refineFactor)
+  {
+    sizing->SetFactor(*settings.refineFactor);
+  }
+  sizing->SetOrder(static_cast<unsigned int>(settings.order));
+  sizing->ReadErrors(settings.refineBy);
+  return sizing->Compute(grid);
+}
+
 void
-Configure(MeshFilter * filter, const Settings & settings)
+Configure(MeshFilter * filter, const Settings & settings, const itk::ImageBase<3> * grid)
 {
   ForEachOption([&](const Option & option) {
     if (option.target.set != nullptr)
@@ -112,6 +127,10 @@ Configure(MeshFilter * filter, const Settings & settings)
   {
     filter->SetSizingImage(ReadScalarImage(settings.sizingImage));
   }
+  else if (!settings.refineBy.empty())
+  {
+    filter->SetSizingImage(SizesByErrors(settings, grid));
+  }
   if (!settings.roi.empty())
   {
     filter->SetRegionOfInterest(MakeMask(ReadLabelImage(settings.roi)));
@@ -132,7 +151,7 @@ MakeMeshFilter(const Settings & settings, const Input & input)
     }
     filter->SetSurfaceLabels(input.surfaces.labels);
     filter->SetElectrodes(input.electrodes);
-    Configure(filter, settings);
+    Configure(filter, settings, input.labels);
     return filter;
   }
   auto filter = itk::IndicatorImagesToTetrahedralMeshFilter<ScalarImage>::New();
@@ -141,7 +160,7 @@ MakeMeshFilter(const Settings & settings, const Input & input)
     filter->SetInput(static_cast<unsigned int>(n), input.indicators[n]);
   }
   filter->SetIndicatorLabels(settings.indicatorLabels);
-  Configure(filter, settings);
+  Configure(filter, settings, input.indicators.front());
   return filter.GetPointer();
 }
 

@@ -90,6 +90,28 @@ TEST_F(CommandLineSizing, OptionsReachTheMesh)
   EXPECT_LT(this->CountTetrahedra({ "--sizing-image", sizes, "--sizing-mode", "replace" }), standard);
 }
 
+TEST_F(CommandLineSizing, ErrorsOfASolutionReachTheMesh)
+{
+  const auto standard = this->CountTetrahedra({ "--cell-data", "error=" + this->WriteSizes(1.0f) });
+  std::filesystem::copy_file(this->Path("out.vtu"), this->Path("errors.vtu"));
+  const auto twice = this->CountTetrahedra({ "--refine-by", this->Path("errors.vtu") });
+  EXPECT_NEAR(double(twice) / double(standard), 2.0, 0.6);
+  EXPECT_GT(this->CountTetrahedra({ "--refine-by", this->Path("errors.vtu"), "--refine-factor", "4" }), twice);
+}
+
+TEST_F(CommandLineSizing, ErrorsThatAreNoneAreRefused)
+{
+  this->CountTetrahedra();
+  const std::string without = this->Path("out.vtu");
+  std::filesystem::copy_file(without, this->Path("plain.vtu"));
+  this->ExpectFailure({ "--refine-by", this->Path("plain.vtu") }, 1, "has no cell data array 'error'");
+  this->ExpectFailure({ "--refine-by", this->Path("no.vtu") }, 1, "no.vtu");
+  this->ExpectFailure({ "--refine-factor", "2" }, 2, "--refine-factor needs --refine-by");
+  this->ExpectFailure({ "--refine-by", without, "--refine-factor", "1" }, 2, "--refine-factor");
+  this->ExpectFailure(
+    { "--refine-by", without, "--sizing-image", this->WriteSizes(3.0f) }, 2, "leave out --sizing-image");
+}
+
 TEST_F(CommandLineSizing, ReportHasParametersAndExpectation)
 {
   const auto report = this->Report({ "--label-size", "5:factor=0.5:max=2", "--max-volume", "3", "--air-margin", "1" });

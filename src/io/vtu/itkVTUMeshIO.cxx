@@ -181,6 +181,11 @@ VTUMeshIO::ReadMeshInformation()
       RepeatPixels(cellPixels, cells.sources);
     }
 
+    m_ReadCellDataNames.clear();
+    for (const mmm::VTUArray & array : cellArrays)
+    {
+      m_ReadCellDataNames.push_back(array.name);
+    }
     m_ByteOrder = document.bigEndian ? IOByteOrderEnum::BigEndian : IOByteOrderEnum::LittleEndian;
     m_PointDimension = mmm::vtuDimension;
 

@@ -226,6 +226,8 @@ def multimaterial_mesh(
     maximum_size: float | None = None,
     maximum_volume: float | None = None,
     label_sizes: str | Mapping[int, float | Mapping[str, float]] | None = None,
+    refine_by: str | os.PathLike[str] | tuple["MultiMaterialMesh", Any] | None = None,
+    refine_factor: float = 2.0,
     seed: int = 1,
     surface_only: bool = False,
     names: str | os.PathLike[str] | Mapping[int, str] | None = None,
@@ -256,6 +258,9 @@ def multimaterial_mesh(
     maximum_volume : that no tetrahedron is to exceed, mm^3, positive. Default: no limit.
     label_sizes : by label, the "max" of the edge length, or a dictionary with some of "factor" (on the edge length at
         the label's interfaces), "min" and "max"; for instance {3: {"factor": 0.5, "max": 2}, 7: 1.5}. Default: none.
+    refine_by : shorter edges where a solution has large errors: a mesh of the same labels and the error of each of its
+        tetrahedra, at least 0, in any unit; or the name of a .vtu file with the cell data "error". Default: none.
+    refine_factor : how many times as many tetrahedra refine_by is to give, above 1 and at most 64. Default: 2.
     seed : another one gives another mesh of the same kind, at least 0. Default: 1.
     surface_only : leave out the interior, in about half the time: there are no tetrahedra. Default: False.
     names : what labels are called, by label, or the name of a file as of --names. Default: for the name of a file, what
@@ -303,7 +308,10 @@ def multimaterial_mesh(
     }
     with _errors_in_one_line():
         label_names = _inputs.as_names(names, labels)
-        mesher = itk.LabelImageToTetrahedralMeshFilter.New(_inputs.as_image(labels, spacing))
+        image = _inputs.as_image(labels, spacing)
+        if refine_by is not None:
+            settings["sizing_image"] = _sizes_by_errors(refine_by, refine_factor, options.get("element_order", 1), image)
+        mesher = itk.LabelImageToTetrahedralMeshFilter.New(image)
         for name, value in settings.items():
             if value is not None:
                 _inputs.set_option(mesher, name, value)
@@ -315,13 +323,29 @@ def multimaterial_mesh(
     return _from_filter(mesher, label_names)
 
 
+def _sizes_by_errors(refine_by: Any, factor: float, order: int, image: Any) -> Any:
+    """The edge lengths that errors ask for, on the grid of an image."""
+    import itk
+
+    sizing = itk.ErrorDrivenSizing.New(Factor=float(factor), Order=order)
+    if isinstance(refine_by, (str, os.PathLike)):
+        sizing.ReadErrors(os.fspath(refine_by))
+    else:
+        mesh, errors = refine_by
+        errors = np.asarray(errors, float)
+        if errors.ndim != 1:
+            raise TypeError(f"errors have to be one number for each tetrahedron, not an array of shape {errors.shape}")
+        sizing.SetErrors(_to_itk(mesh.points, mesh.tetrahedra, mesh.labels), errors.tolist())
+    return sizing.Compute(image)
+
+
 @contextlib.contextmanager
 def _errors_in_one_line() -> Iterator[None]:
-    """ITK also says where in its code something is wrong."""
+    """ITK also says where in its code something is wrong: up to ITK 5 in two lines, then in three."""
     try:
         yield
     except RuntimeError as error:
-        words = re.sub(r"^(\S+:\d+:\n)?(ITK ERROR: )?([\w<>:, ]+\(\w+\): )?", "", str(error))
+        words = re.sub(r"^(\S+:\d+:\s)?(in '[^']*':\s)?(ITK ERROR:? )?([\w<>:, ]+\(\w+\): )?", "", str(error))
         raise RuntimeError(" ".join(words.split())) from None
 
 
