@@ -2,9 +2,10 @@
 # Copyright NumFOCUS. Licensed under the Apache License, Version 2.0 (see LICENSE).
 # Random label images through the whole pipeline, each seed in a process of its own, one for each core at a time; prints
 # the seeds that fail, those that end in an exception, and how long the slowest ones took.
-#   test/fuzz.sh FIRST LAST          BUILD_DIR is where the tests were built
+#   test/fuzz.sh FIRST LAST [LARGEST]   LARGEST side of the images in voxels, 20; BUILD_DIR is where the tests were built
 set -euo pipefail
-[ $# -eq 2 ] || { echo "usage: $0 FIRST LAST" >&2; exit 2; }
+[ $# -eq 2 ] || [ $# -eq 3 ] || { echo "usage: $0 FIRST LAST [LARGEST]" >&2; exit 2; }
+export MMM_TEST_LARGEST_SIDE=${3:-20}
 project=$(cd "$(dirname "$0")/.." && pwd)
 export driver=${BUILD_DIR:-$project/build}/bin/MultiMaterialMeshingGTestDriver
 [ -x "$driver" ] || { echo "$0: no $driver: build the tests first" >&2; exit 2; }

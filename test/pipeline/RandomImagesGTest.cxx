@@ -110,6 +110,14 @@ private:
   std::uint64_t m_Seed;
 };
 
+/** In voxels, from the environment variable, or 20. */
+int
+LargestSide()
+{
+  const char * const side = std::getenv("MMM_TEST_LARGEST_SIDE");
+  return side == nullptr ? 20 : std::max(5, std::atoi(side));
+}
+
 /** The label of the nearest of some random places: blobs that touch in all kinds of junctions. A share of the voxels
  * has any label: from none to all, which is noise. */
 LabelImage::Pointer
@@ -127,9 +135,11 @@ MakeRandomImage(const Draws & draws)
     FirstSite = 100,
     FirstVoxel = 1000
   };
-  const int    nx = draws.Whole(SizeX, 8, 20);
-  const int    ny = draws.Whole(SizeY, 8, 20);
-  const int    nz = draws.Whole(SizeZ, 8, 20);
+  const int    largest = LargestSide();
+  const int    smallest = 2 * largest / 5;
+  const int    nx = draws.Whole(SizeX, smallest, largest);
+  const int    ny = draws.Whole(SizeY, smallest, largest);
+  const int    nz = draws.Whole(SizeZ, smallest, largest);
   const int    labels = draws.Whole(Labels, 2, 6);
   const double noise = std::vector<double>{ 0.0, 0.02, 0.2, 1.0 }[draws.Whole(Noise, 0, 3)];
   const int    sites = draws.Whole(Sites, labels, 40);
