@@ -44,6 +44,7 @@ MECHANISMS = {
     "other-topology": ("src/surface/SurfaceStage.cxx", "missed.push_back(this->FindOtherTopology())"),
     "link-repair": ("src/surface/SurfaceStage.cxx", "m_Repair = RepairLinks("),
     "flat-tetrahedra": ("src/surface/SurfaceStage.cxx", "TurnFlatTetrahedra("),
+    "consistency": ("src/surface/SurfaceStage.cxx", "samples.push_back(m_Topology.GetLattice()"),
     "passage-widening": ("src/itk/LabelSmoothing.cxx", "WidenPassages(materials"),
     "volume-correction": ("src/itk/LabelSmoothing.cxx", "CorrectVolumes(materials"),
     "interface-fit": ("src/pipeline/Mesher.cxx", "FitInterfaces(indicators"),

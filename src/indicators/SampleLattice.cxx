@@ -135,6 +135,17 @@ SampleLattice::SampleLattice(const IndicatorSet & indicators, int refinement)
   }
 }
 
+Index
+SampleLattice::NearestTo(const Vector & x) const
+{
+  Index sample;
+  for (int a = 0; a < 3; ++a)
+  {
+    sample[a] = std::clamp(int(std::lround((x[a] - m_Origin[a]) / m_Step[a])), 0, m_Size[a] - 1);
+  }
+  return sample;
+}
+
 std::size_t
 SampleLattice::PlaceOf(const Index & sample) const
 {

@@ -84,6 +84,9 @@ public:
   {
     return this->Position(Vector(sample[0], sample[1], sample[2]));
   }
+  /** The sample that is the nearest to a point. */
+  Index
+  NearestTo(const Vector & x) const;
 
   /** Of all axes together. */
   int

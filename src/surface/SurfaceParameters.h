@@ -43,8 +43,14 @@ struct SurfaceRoundParameters
   /** ... but not around more samples than this. */
   static constexpr std::size_t MostSamplesToGrow = 2000;
   /** There are no more of these rounds where places that differ have more than this share of the samples that are kept:
-   * that is noise, which particles do not follow. */
+   * that is noise, which particles do not follow. Nor are there more of the next ones where that share of the triangles
+   * is inconsistent. */
   static constexpr double ShareOfNoise = 0.05;
+  /** Triangulations after all these that add particles where triangles are inconsistent, at most, their distance, and
+   * how many samples around. Measured: docs/ablation.md. */
+  static constexpr int    ConsistencyRounds = 2;
+  static constexpr double ConsistencySize = 0.7;
+  static constexpr int    ConsistencyReach = 1;
   /** In each of these rounds the distance of particles is smaller by this factor: an eighth of a voxel in the last one.
    */
   static constexpr double MendingShrinkage = 0.75;

@@ -103,13 +103,14 @@ public:
       tell();
       this->Relax(round + 1 == Parameters::Rounds);
     }
+    int consistencyRound = 0;
     for (int round = 0;;)
     {
       this->Triangulate();
       this->AddMissing();
       tell();
       this->MendLinks();
-      if (!this->Mend(round))
+      if (!this->Mend(round) && !this->MendInconsistent(consistencyRound))
       {
         break;
       }
@@ -282,6 +283,37 @@ private:
       }
     }
     return added > 0;
+  }
+
+  /** Adds particles where triangles are between other materials than meet at their corners: there was no place for a
+   * sheet between particles that are too far apart. Returns whether there is another triangulation to make. */
+  bool
+  MendInconsistent(int & round)
+  {
+    if (round++ >= Parameters::ConsistencyRounds)
+    {
+      return false;
+    }
+    ParticleSet particles = m_Particles;
+    UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, particles);
+    const InterfaceMesh interfaces = this->Interfaces();
+    const auto          places = FindInconsistentTriangles(m_Indicators, particles, interfaces, m_Exterior);
+    if (double(places.size()) > Parameters::ShareOfNoise * double(interfaces.triangles.size()))
+    {
+      return false;
+    }
+    std::vector<Index> samples;
+    for (const MeshingPlace & place : places)
+    {
+      const Vector x(place.position[0], place.position[1], place.position[2]);
+      if (m_Sizing(x) < Parameters::CoarseSize)
+      {
+        samples.push_back(m_Topology.GetLattice().NearestTo(x));
+      }
+    }
+    MakeUnique(samples);
+    return this->Sample(
+             { m_SampleCubes, this->Around(samples, Parameters::ConsistencyReach), Parameters::ConsistencySize }) > 0;
   }
 
   /** Samples, and those around them. */
