@@ -241,6 +241,17 @@ TEST(Mesher, NoTriangleOfNoiseIsFlat)
   EXPECT_GT(quality.interfaceRadiusRatio.firstPercentile, 0.6);
 }
 
+TEST(Mesher, TrianglesOfAFoldedSheetAreBetweenTheMaterialsOfTheirCorners)
+{
+  // a voxel thick or less, and torn where it is steep
+  const Scene scene(MakeMaterials({ { 32, 32, 32 } }, Vector::Ones(), 3, [](const Vector & x) {
+    const double height = 15.5 + 6.0 * std::sin(0.7 * x[0]) * std::cos(0.6 * x[1] + 0.3 * x[0]);
+    return x[2] < height ? 0 : x[2] < height + 1.2 ? 1 : 2;
+  }));
+  const auto  result = Build(scene, -1).result;
+  EXPECT_LE(double(result.report.inconsistentTriangles.size()), 0.001 * double(result.interfaces.triangles.size()));
+}
+
 TEST(Mesher, JunctionPointsStayNearTheirJunction)
 {
   const Scene  scene = MakeNoise();
