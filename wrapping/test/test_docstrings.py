@@ -54,6 +54,7 @@ def test_templates_and_classes_have_docstrings(name):
 @pytest.mark.parametrize(
     "name",
     [
+        "ErrorDrivenSizing",
         "LabelHullMeshFilter",
         "LabelMeshFileWriter",
         "LabelSurfaceMeshFilter",
