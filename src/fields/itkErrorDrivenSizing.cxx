@@ -113,7 +113,7 @@ NumberFor(double error, double most, double power)
 double
 ErrorFor(const std::vector<double> & errors, double wanted, double power)
 {
-  constexpr int Halvings = 60;
+  constexpr int Halvings = 30;
   double        upper = *std::max_element(errors.begin(), errors.end());
   double        lower = upper * 1e-12;
   for (int n = 0; n < Halvings; ++n)

@@ -46,9 +46,11 @@ struct SurfaceRoundParameters
    * that is noise, which particles do not follow. Nor are there more of the next ones where that share of the triangles
    * is inconsistent. */
   static constexpr double ShareOfNoise = 0.05;
-  /** Triangulations after all these that add particles where triangles are inconsistent, at most, their distance, and
-   * how many samples around. Measured: docs/ablation.md. */
+  /** Triangulations after all these that add particles where triangles are inconsistent, at most, the share of the
+   * triangles that may stay so, the distance of the particles, and how many samples around. Measured: docs/ablation.md.
+   */
   static constexpr int    ConsistencyRounds = 2;
+  static constexpr double ConsistentEnough = 1e-4;
   static constexpr double ConsistencySize = 0.7;
   static constexpr int    ConsistencyReach = 1;
   /** In each of these rounds the distance of particles is smaller by this factor: an eighth of a voxel in the last one.

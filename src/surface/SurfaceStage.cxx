@@ -298,7 +298,8 @@ private:
     UpdateCells(m_Indicators, m_Labelled, *m_Adjacency, m_Exterior, particles);
     const InterfaceMesh interfaces = this->Interfaces();
     const auto          places = FindInconsistentTriangles(m_Indicators, particles, interfaces, m_Exterior);
-    if (double(places.size()) > Parameters::ShareOfNoise * double(interfaces.triangles.size()))
+    const double        share = double(places.size()) / double(std::max<std::size_t>(interfaces.triangles.size(), 1));
+    if (share <= Parameters::ConsistentEnough || share > Parameters::ShareOfNoise)
     {
       return false;
     }
