@@ -685,7 +685,8 @@ TEST(LabelImageToTetrahedralMeshFilter, PrintsItsParameters)
   const auto filter = RunFilter(mmmtest::MakeBall<LabelImage>(10, 3.0));
   const auto text = mmmtest::Printed(filter.GetPointer());
   EXPECT_NE(text.find("MinimumIslandSize: 8"), std::string::npos) << text;
-  EXPECT_NE(std::min(text.find(" Labels: (0, 1)"), text.find(" Labels: [0, 1]")), std::string::npos) << text; // ITK 5, 6
+  EXPECT_NE(std::min(text.find(" Labels: (0, 1)"), text.find(" Labels: [0, 1]")), std::string::npos)
+    << text; // ITK 5, 6
   EXPECT_STREQ(filter->GetNameOfClass(), "LabelImageToTetrahedralMeshFilter");
 }
 

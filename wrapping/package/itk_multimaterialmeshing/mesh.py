@@ -310,7 +310,9 @@ def multimaterial_mesh(
         label_names = _inputs.as_names(names, labels)
         image = _inputs.as_image(labels, spacing)
         if refine_by is not None:
-            settings["sizing_image"] = _sizes_by_errors(refine_by, refine_factor, options.get("element_order", 1), image)
+            settings["sizing_image"] = _sizes_by_errors(
+                refine_by, refine_factor, options.get("element_order", 1), image
+            )
         mesher = itk.LabelImageToTetrahedralMeshFilter.New(image)
         for name, value in settings.items():
             if value is not None:
