@@ -18,6 +18,7 @@
 #include "itkErrorDrivenSizing.h"
 
 #include "itkVTUMeshIO.h"
+#include "mesh/TetrahedronQuality.h"
 #include "mesh/TetrahedronRaster.h"
 
 #include "itkContinuousIndex.h"
@@ -54,12 +55,6 @@ CornersOf(const TetrahedronArrays & mesh, std::size_t t)
     corners[c] = Place(point[0], point[1], point[2]);
   }
   return corners;
-}
-
-double
-VolumeOf(const Corners & c)
-{
-  return std::abs((c[1] - c[0]).cross(c[2] - c[0]).dot(c[3] - c[0])) / 6.0;
 }
 
 double
@@ -138,7 +133,8 @@ LengthsFor(const TetrahedronArrays & mesh, const std::vector<double> & errors, d
   std::vector<double> squares(count);
   for (std::size_t t = 0; t < count; ++t)
   {
-    volumes[t] = VolumeOf(CornersOf(mesh, t));
+    const Corners corners = CornersOf(mesh, t);
+    volumes[t] = std::abs(mmm::TetrahedronVolume(corners[0], corners[1], corners[2], corners[3]));
     squares[t] = errors[t] * errors[t];
   }
   std::vector<double> even = EvenedOut(mesh, squares, volumes);
