@@ -68,7 +68,7 @@ ExtractInterfaces(const TetrahedralMesh & mesh, const TetrahedronNeighbours & ne
   }
   return interfaces;
 }
-std::vector<Material>
+std::optional<std::vector<Material>>
 LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedron> & tetrahedra, Material outside)
 {
   constexpr Material Unknown = std::numeric_limits<Material>::max();
@@ -77,6 +77,7 @@ LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedro
   const TriangleLookup             lookup(interfaces.triangles);
   std::vector<Material>            materials(tetrahedra.size(), Unknown);
   std::vector<std::array<bool, 4>> closed(tetrahedra.size());
+  std::vector<char>                isFace(interfaces.triangles.size(), 0);
   std::vector<std::uint32_t>       stack;
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
   {
@@ -87,6 +88,7 @@ LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedro
       closed[t][f] = found != TriangleLookup::None;
       if (closed[t][f])
       {
+        isFace[found] = 1;
         // a face points outward, a triangle to its second side
         materials[t] = interfaces.sides[found][AreOneTurn(interfaces.triangles[found], face) ? 0 : 1];
       }
@@ -95,6 +97,10 @@ LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedro
     {
       stack.push_back(t);
     }
+  }
+  if (std::find(isFace.begin(), isFace.end(), 0) != isFace.end())
+  {
+    return std::nullopt;
   }
 
   const auto neighbours = ComputeTetrahedronNeighbours(tetrahedra);

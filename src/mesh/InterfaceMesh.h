@@ -20,6 +20,8 @@
 
 #include "mesh/TetrahedronNeighbours.h"
 
+#include <optional>
+
 namespace mmm
 {
 /** Triangles between different materials: `first` < `second`, the normal (right hand rule) points to `second`. */
@@ -39,8 +41,8 @@ ExtractInterfaces(const TetrahedralMesh & mesh, const TetrahedronNeighbours & ne
 /** \brief The material of each tetrahedron, from the interfaces that are among the tetrahedra's faces.
  *
  * A face of an interface tells by its orientation which side a tetrahedron lies on; the others follow from their
- * neighbours. What no interface bounds is `outside`. */
-std::vector<Material>
+ * neighbours. What no interface bounds is `outside`. Nothing where a triangle is not a face of any tetrahedron. */
+std::optional<std::vector<Material>>
 LabelByInterfaces(const InterfaceMesh & interfaces, const std::vector<Tetrahedron> & tetrahedra, Material outside);
 } // namespace mmm
 

@@ -88,23 +88,4 @@ AreClosed(const InterfaceMesh & interfaces)
   }
   return true;
 }
-
-bool
-AreFaces(const std::vector<Triangle> & triangles, const std::vector<Tetrahedron> & tetrahedra)
-{
-  const TriangleLookup lookup(triangles);
-  std::vector<char>    isFace(triangles.size(), 0);
-  for (const auto & t : tetrahedra)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      const auto found = lookup.Find(FaceOf(t, f));
-      if (found != TriangleLookup::None)
-      {
-        isFace[found] = 1;
-      }
-    }
-  }
-  return std::find(isFace.begin(), isFace.end(), 0) == isFace.end();
-}
 } // namespace mmm

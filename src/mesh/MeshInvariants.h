@@ -40,10 +40,6 @@ AreAdjacent(const std::vector<Tetrahedron> & tetrahedra, const TetrahedronNeighb
 /** Whether the triangles around each material are its closed boundary, all with the normal that their sides say. */
 bool
 AreClosed(const InterfaceMesh & interfaces);
-
-/** Whether the triangles are faces of the tetrahedra. */
-bool
-AreFaces(const std::vector<Triangle> & triangles, const std::vector<Tetrahedron> & tetrahedra);
 } // namespace mmm
 
 #endif

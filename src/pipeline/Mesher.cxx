@@ -116,25 +116,39 @@ SortPoints(MeshingResult & result)
   particles = std::move(kept);
 }
 
-/** The tetrahedra between the points that have the triangles among their faces. The points after the fixed ones may be
- * left out. */
+/** The tetrahedra between the points that have the triangles among their faces, and their materials. The points after
+ * the fixed ones may be left out. */
 void
-Tetrahedralize(std::size_t numberOfFixedPoints, MeshingResult & result)
+Tetrahedralize(std::size_t numberOfFixedPoints, Material exterior, MeshingResult & result)
 {
-  const auto & triangles = result.interfaces.triangles;
+  const auto &      triangles = result.interfaces.triangles;
+  const std::size_t numberOfPoints = result.points.size();
+  const auto        label = [&]() {
+    auto materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
+    if (!materials)
+    {
+      // TetGen 1.5.0 does not always say so
+      throw TetGenFailure(__FILE__, __LINE__, "TetGen lost triangles of the surface.", "");
+    }
+    result.tetrahedra.materials = std::move(*materials);
+  };
   try
   {
     result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+    label();
+    result.report.steinerPoints = result.points.size() - numberOfPoints;
   }
   catch (const TetGenFailure &)
   {
     result.report.recoveryFailed = true;
+    result.points.resize(numberOfPoints);
     const auto leftOut =
       ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra);
     if (!leftOut)
     {
       throw;
     }
+    label();
     result.report.warnings.push_back(
       "TetGen could not recover the interfaces with all points around them: " + std::to_string(*leftOut) +
       " points of the interior beside them were left out, and elements there are larger "
@@ -260,10 +274,9 @@ BuildMesh(const IndicatorSet &      indicators,
   result.points.insert(result.points.end(), corners.begin(), corners.end());
   const std::size_t numberOfFixedPoints = result.points.size();
   result.points.insert(result.points.end(), all.positions.begin() + particles.Size(), all.positions.end());
-  const std::size_t numberOfPoints = result.points.size();
   try
   {
-    Tetrahedralize(numberOfFixedPoints, result);
+    Tetrahedralize(numberOfFixedPoints, exterior, result);
   }
   catch (TetGenFailure & error)
   {
@@ -279,10 +292,7 @@ BuildMesh(const IndicatorSet &      indicators,
     DescribeSurface(indicators, wantedSizing, exterior, result);
     return;
   }
-  result.tetrahedra.materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
-  report.steinerPoints = result.points.size() - numberOfPoints;
   assert(ArePositive(result.points, result.tetrahedra.tetrahedra, FlatVolume));
-  assert(AreFaces(result.interfaces.triangles, result.tetrahedra.tetrahedra));
   monitor.Report(1.0);
 
   monitor.BeginStage("optimization");

@@ -82,7 +82,7 @@ MakeTetGenMesh()
     }
   }
   const auto                    all = mmm::ConstrainedTetrahedralization(points, interfaces.triangles);
-  const auto                    materials = mmm::LabelByInterfaces(interfaces, all, 0);
+  const auto                    materials = *mmm::LabelByInterfaces(interfaces, all, 0);
   std::vector<mmm::Tetrahedron> tetrahedra;
   std::vector<int>              labels;
   for (std::size_t t = 0; t < all.size(); ++t)

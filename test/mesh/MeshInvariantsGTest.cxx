@@ -80,12 +80,3 @@ TEST(MeshInvariants, ABoundaryWithATriangleThatIsTurnedOverIsNotClosed)
   std::swap(interfaces.triangles[0][0], interfaces.triangles[0][1]);
   EXPECT_FALSE(mmm::AreClosed(interfaces));
 }
-
-TEST(MeshInvariants, TrianglesOfTheInterfacesAreFaces)
-{
-  const Pair pair;
-  auto       triangles = mmm::ExtractInterfaces(pair.mesh, 2).triangles;
-  EXPECT_TRUE(mmm::AreFaces(triangles, pair.mesh.tetrahedra));
-  triangles.push_back({ { 1, 3, 4 } });
-  EXPECT_FALSE(mmm::AreFaces(triangles, pair.mesh.tetrahedra));
-}

@@ -216,6 +216,13 @@ TEST(InterfaceMesh, TellsTheMaterialsOnItsTwoSides)
   EXPECT_EQ(mmm::LabelByInterfaces(interfaces, mesh.tetrahedra, 2), mesh.materials);
 }
 
+TEST(InterfaceMesh, TellsNothingOfTetrahedraThatLackATriangle)
+{
+  const std::vector<mmm::Tetrahedron> tetrahedra{ { { 0, 1, 2, 3 } } };
+  const mmm::InterfaceMesh interfaces{ { { { 0, 2, 1 } }, { { 1, 2, 4 } } }, { { { 0, 1 } }, { { 0, 1 } } } };
+  EXPECT_FALSE(mmm::LabelByInterfaces(interfaces, tetrahedra, 2));
+}
+
 TEST(ConformingTetrahedralization, LeavesPointsOutThatAreInTheWayOfTriangles)
 {
   // a point just above the middle of a triangle, and one just below it
