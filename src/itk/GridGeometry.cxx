@@ -17,6 +17,8 @@
  *=========================================================================*/
 #include "itk/GridGeometry.h"
 
+#include "itkMacro.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -25,6 +27,9 @@ namespace mmm
 namespace
 {
 constexpr double Resolution = 1e6; // parts of the grid's unit
+
+/** Further away, in units of the grid, what is left of the digits of positions is too coarse for elements. */
+constexpr double Farthest = 1e8;
 
 /** The lengths of the steps from voxel to voxel: the spacing, but for directions that scale it. */
 itk::Vector<double, 3>
@@ -42,6 +47,25 @@ VoxelSizes(const GridGeometry::ImageType & image)
   return sizes;
 }
 
+/** \throw itk::ExceptionObject if positions in the image are no numbers, or nearly all the same. */
+void
+CheckPlace(const GridGeometry::ImageType & image, double unit)
+{
+  const auto & origin = image.GetOrigin();
+  if (!std::isfinite(unit) || !std::isfinite(origin[0] + origin[1] + origin[2]))
+  {
+    itkGenericExceptionMacro("The image has no place: its spacing is " << image.GetSpacing() << " mm, its origin "
+                                                                       << origin << "; correct them first.");
+  }
+  const double distance = std::max({ std::abs(origin[0]), std::abs(origin[1]), std::abs(origin[2]) });
+  if (distance > Farthest * unit)
+  {
+    itkGenericExceptionMacro("The image is too far away: its origin is "
+                             << origin << " mm, where positions are not exact to a part of its voxels of " << unit
+                             << " mm; correct its origin first.");
+  }
+}
+
 double
 Rounded(double length)
 {
@@ -56,6 +80,7 @@ GridGeometry::GridGeometry(const ImageType * image, const RegionType & region)
   m_Image->CopyInformation(image);
   const auto spacing = VoxelSizes(*image);
   m_Unit = std::min({ spacing[0], spacing[1], spacing[2] });
+  CheckPlace(*m_Image, m_Unit);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     m_Grid.size[axis] = static_cast<int>(region.GetSize(axis));

@@ -316,6 +316,16 @@ TEST(LabelImageToIndicatorImagesFilter, ThrowsOnANegativeRadius)
   mmmtest::ExpectException([&] { filter->Update(); }, "The radius is -1 mm");
 }
 
+TEST(LabelImageToIndicatorImagesFilter, ThrowsWherePositionsAreNotExact)
+{
+  const auto   image = mmmtest::MakeBall<LabelImage>(12, 4.0);
+  const double origin[] = { 0.0, 1e18, 0.0 };
+  image->SetOrigin(origin);
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  mmmtest::ExpectException([&] { filter->Update(); }, "The image is too far away: its origin is [0, 1e+18, 0] mm");
+}
+
 TEST(LabelImageToIndicatorImagesFilter, ThrowsOnMoreLabelsThanAreSupported)
 {
   using LargeImage = itk::Image<int, 3>;
