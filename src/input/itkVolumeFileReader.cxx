@@ -17,8 +17,10 @@
  *=========================================================================*/
 #include "itkVolumeFileReader.h"
 
+#include "input/GzipFile.h"
 #include "input/ImageChecks.h"
 #include "input/LabelValue.h"
+#include "input/MetaImageData.h"
 #include "input/NrrdHeader.h"
 #include "input/RawVolume.h"
 #include "input/SegmentLayers.h"
@@ -70,24 +72,26 @@ IsDICOM(const std::string & fileName)
 void
 CheckFileSize(const std::string & fileName, const ImageIOBase & io)
 {
-  const auto extension = std::filesystem::u8path(fileName).extension();
-  if (extension != ".nrrd" && extension != ".mha")
-  {
-    return;
-  }
-  // zlib cannot do more
-  constexpr double highestCompression = 1032.0;
-  std::error_code  error;
-  const auto       fileSize = static_cast<double>(std::filesystem::file_size(std::filesystem::u8path(fileName), error));
-  double           expected = io.GetComponentSize() * io.GetNumberOfComponents();
+  double expected = io.GetComponentSize() * io.GetNumberOfComponents();
   for (unsigned int d = 0; d < io.GetNumberOfDimensions(); ++d)
   {
     expected *= static_cast<double>(io.GetDimensions(d));
   }
-  if (!error && fileSize * highestCompression < expected)
+  if (mmm::HasExtension(fileName, { ".nrrd" }))
   {
-    mmm::ThrowDamaged(fileName,
-                      "it is too short for the " + mmm::DigitsOf(expected) + " bytes of data that its header says");
+    // zlib cannot do more
+    constexpr double highestCompression = 1032.0;
+    std::error_code  error;
+    const auto fileSize = static_cast<double>(std::filesystem::file_size(std::filesystem::u8path(fileName), error));
+    if (!error && fileSize * highestCompression < expected)
+    {
+      mmm::ThrowDamaged(fileName,
+                        "it is too short for the " + mmm::DigitsOf(expected) + " bytes of data that its header says");
+    }
+  }
+  if (mmm::HasExtension(fileName, { ".mha", ".mhd" }))
+  {
+    mmm::CheckMetaImageData(fileName, expected);
   }
 }
 
@@ -122,6 +126,10 @@ OpenByITK(const std::string & fileName)
     size.push_back(static_cast<std::int64_t>(io->GetDimensions(d)));
   }
   mmm::CheckDimensions(fileName, size);
+  if (io->GetComponentType() == IOComponentEnum::UNKNOWNCOMPONENTTYPE)
+  {
+    mmm::ThrowDamaged(fileName, "its header says of no known type what the voxels are");
+  }
   CheckFileSize(fileName, *io);
   if (io->GetNumberOfComponents() != 1 && mmm::FindSegments(*io).empty())
   {

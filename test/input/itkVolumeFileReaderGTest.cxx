@@ -17,9 +17,11 @@
  *=========================================================================*/
 // What is read of label images, where they are put, and what is refused.
 #include "itkVolumeFileReader.h"
+#include "support/TestLabelImages.h"
 #include "support/TestNifti.h"
 
 #include "itkImageFileReader.h" // registers ITK's formats
+#include "itkImageFileWriter.h"
 #include "itkMacro.h"
 #include "itkOutputWindow.h"
 
@@ -499,6 +501,31 @@ TEST_F(VolumeFileReader, HeaderThatLiesIsFoundOutBeforeMemoryIsTaken)
     nifti.Set<std::int16_t>(40 + 2 * d, 30000);
   }
   this->ExpectError(this->Write(nifti), { "it may be damaged", "header" });
+}
+
+TEST_F(VolumeFileReader, MetaImagesWithoutAllOfTheirDataAreRefused)
+{
+  const auto image = mmmtest::MakeBall<itk::Image<short, 3>>(16, 5.0);
+  for (const bool isCompressed : { false, true })
+  {
+    for (const char * const name : { "x.mha", "x.mhd" })
+    {
+      itk::WriteImage(image, this->Path(name), isCompressed);
+      EXPECT_EQ(this->Read(this->Path(name))->GetBufferedRegion().GetNumberOfPixels(), 4096u);
+      const auto data = this->Path(std::string(name) == "x.mha" ? "x.mha" : isCompressed ? "x.zraw" : "x.raw");
+      std::filesystem::resize_file(data, std::filesystem::file_size(data) - 9);
+      mmmtest::ExpectException([&] { this->Read(this->Path(name)); }, "its data is broken or incomplete");
+    }
+  }
+}
+
+TEST_F(VolumeFileReader, VoxelsOfAnUnknownTypeAreRefused)
+{
+  const auto file = this->WriteText("x.mha",
+                                    "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_SHRT\n"
+                                    "ElementDataFile = LOCAL\n" +
+                                      std::string(128, '\0'));
+  mmmtest::ExpectException([&] { this->Read(file); }, "its header says of no known type what the voxels are");
 }
 
 TEST_F(VolumeFileReader, DicomIsToldByTheCommandThatConvertsIt)
