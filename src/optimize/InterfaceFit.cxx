@@ -76,21 +76,23 @@ public:
   void
   BalanceVolumes()
   {
-    std::vector<double> gaps(m_Points.size());
+    std::vector<Vector> moves(m_Points.size());
     for (int pass = 0; pass < Parameters::BalancePasses; ++pass)
     {
       // all gaps first: what the neighbours do about theirs is not to count twice
       ParallelFor(m_Points.size(), Grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p)
         {
-          gaps[p] = this->IsOnSurface(PointId(p)) ? this->MeanGap(PointId(p)) : 0.0;
+          moves[p] = this->MoveOntoMean(PointId(p));
         }
       });
       this->MoveByColour([&](PointId p) {
-        const double gap = std::min(std::max(gaps[p], -Parameters::LongestBalanceMove), Parameters::LongestBalanceMove);
-        return gap != 0.0 && this->MoveAbove(this->FloorAt(p, Parameters::BalanceFloor),
-                                             p,
-                                             m_Points[p] + gap * m_Indicators.Normal(m_Cells[p], m_Points[p]));
+        const double length = moves[p].norm();
+        const double part = length > Parameters::LongestBalanceMove ? Parameters::LongestBalanceMove / length : 1.0;
+        const Vector x = m_Points[p] + part * moves[p];
+        return length > 0.0 &&
+               (m_Cells[p].count == 2 || this->DistanceFromOwn(p, x) <= m_Parameters.interfaceTolerance) &&
+               this->MoveAbove(this->FloorAt(p, Parameters::BalanceFloor), p, x);
       });
       this->ReportPass();
     }
@@ -124,27 +126,49 @@ private:
     m_Monitor.Report(double(++m_PassesDone) / (Parameters::BalancePasses + Parameters::CentrePasses));
   }
 
-  bool
-  IsOnSurface(PointId p) const
+  /** The move by which the triangles around p lie on both sides of the zero set in equal parts; none but for points on
+   * surfaces, which follow the normal, and where a surface ends at a face of the box, which stay on that face. */
+  Vector
+  MoveOntoMean(PointId p) const
   {
-    return m_Freedom[p] == Freedom::OnCell && m_Cells[p].count == 2 && !m_Indicators.IsPlane(m_Cells[p].materials[1]);
+    const Cell & cell = m_Cells[p];
+    const bool   isOnFace = cell.count == 3 && m_Indicators.IsPlane(cell.materials[2]);
+    if (m_Freedom[p] != Freedom::OnCell || !(cell.count == 2 || isOnFace) || m_Indicators.IsPlane(cell.materials[1]))
+    {
+      return Vector::Zero();
+    }
+    const Cell surface{ cell.materials[0], cell.materials[1] };
+    Vector     normal = m_Indicators.Normal(surface, m_Points[p]);
+    if (isOnFace)
+    {
+      const Vector outwards = m_Indicators.Planes().Gradient(cell.materials[2]);
+      normal -= normal.dot(outwards) * outwards;
+    }
+    const double square = normal.squaredNorm();
+    return square > Parameters::LeastSquareOnFace ? Vector(this->MeanGap(p, surface) / square * normal)
+                                                  : Vector(Vector::Zero());
   }
 
-  /** How far the zero set is from the triangles around p on average, along the normal of p's cell. */
+  /** How far the zero set is from the triangles of a surface around p on average, along its normal. */
   double
-  MeanGap(PointId p) const
+  MeanGap(PointId p, const Cell & surface) const
   {
     const Cell & cell = m_Cells[p];
     const auto   gapAt = [&](const Vector & x) {
-      return 0.5 * m_Indicators.Difference(cell.materials[0], cell.materials[1], x);
+      return 0.5 * m_Indicators.Difference(surface.materials[0], surface.materials[1], x);
     };
     double sum = 0.0;
     double areas = 0.0;
     for (auto f = m_FanStart[p]; f < m_FanStart[p + 1]; ++f)
     {
+      const auto & ends = m_Fan[f];
+      if (cell.count == 3 && m_Cells[ends[0]].Has(cell.materials[2]) && m_Cells[ends[1]].Has(cell.materials[2]))
+      {
+        continue; // it lies on the face of the box
+      }
       const Vector & a = m_Points[p];
-      const Vector & b = m_Points[m_Fan[f][0]];
-      const Vector & c = m_Points[m_Fan[f][1]];
+      const Vector & b = m_Points[ends[0]];
+      const Vector & c = m_Points[ends[1]];
       const double   area = (b - a).cross(c - a).norm();
       // the middles of the edges give the mean of a quadratic function
       sum += area * (gapAt(0.5 * (a + b)) + gapAt(0.5 * (a + c)) + gapAt(0.5 * (b + c))) / 3.0;

@@ -118,6 +118,9 @@ struct InterfaceFitParameters
   static constexpr Floor BalanceFloor{ 20.0, 0.75 };
   /** Nothing moves further than this in one pass. */
   static constexpr double LongestBalanceMove = 0.3;
+  /** Of a surface's unit normal along the face of the box where it ends. At a smaller angle, points on the face stay.
+   */
+  static constexpr double LeastSquareOnFace = 0.5;
 
   /** \name Voxel centres. Measured: what their recovery gives. */
   static constexpr int   CentrePasses = 2;

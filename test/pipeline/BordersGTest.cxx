@@ -153,3 +153,29 @@ TEST(Borders, TrianglesOfGrainsLieWhereTheirMaterialsMeet)
   }));
   EXPECT_TRUE(BuildAll(scene).report.inconsistentTriangles.empty());
 }
+
+TEST(Borders, CylindersThatTwoSlicesCutKeepTheirVolume)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    mmm::Index size{ { 22, 22, 22 } };
+    size[axis] = 2;
+    double      voxels = 0.0;
+    const Scene scene(MakeMaterials(size, Vector::Ones(), 2, [&](Vector x) {
+      x -= Vector::Constant(10.5);
+      x[axis] = 0.0;
+      const bool isInside = x.squaredNorm() < 12.0;
+      voxels += isInside;
+      return int(isInside);
+    }));
+    const auto  result = BuildAll(scene);
+    double      volume = 0.0;
+    for (std::size_t t = 0; t < result.tetrahedra.tetrahedra.size(); ++t)
+    {
+      const auto & c = result.tetrahedra.tetrahedra[t];
+      const auto & x = result.points;
+      volume += result.tetrahedra.materials[t] == 1 ? mmm::TetrahedronVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]) : 0.0;
+    }
+    EXPECT_NEAR(volume / voxels, 1.0, 0.02) << "along axis " << axis;
+  }
+}
