@@ -2,7 +2,7 @@
 # Copyright NumFOCUS. Licensed under the Apache License, Version 2.0 (see LICENSE).
 # For each seed a random label image and a damaged file of one through the whole pipeline, in a process of its own, one
 # for each core at a time; prints the seeds that fail, those whose random image ends in an exception, how many of the
-# damaged files were refused, and how long the slowest ones took.
+# damaged files were refused, and how long the slowest ones took. What has not ended after ten minutes fails.
 #   test/fuzz.sh FIRST LAST [LARGEST]   LARGEST side of the random images in voxels, 20; BUILD_DIR is where the tests
 #                                       were built
 set -euo pipefail
@@ -18,7 +18,7 @@ trap 'rm -rf "$results"' EXIT
 run_seed() {
   local seed=$1 log=$results/$1.log status=0 begin=$EPOCHREALTIME
   ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS=1 MMM_TEST_SEEDS="$seed $seed" \
-    "$driver" --gtest_filter='*RandomImages*:*DamagedImages*' >"$log" 2>&1 || status=$?
+    timeout 600 "$driver" --gtest_filter='*RandomImages*:*DamagedImages*' >"$log" 2>&1 || status=$?
   awk -v begin="$begin" -v end="$EPOCHREALTIME" -v seed="$seed" \
     'BEGIN { printf "%.1f s: seed %d\n", end - begin, seed }' >>"$results/times"
   if [ "$status" -ne 0 ]; then

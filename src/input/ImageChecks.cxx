@@ -17,6 +17,9 @@
  *=========================================================================*/
 #include "input/ImageChecks.h"
 
+#include "input/GzipFile.h"
+#include "input/MetaImageData.h"
+
 #include "itkMacro.h"
 
 #include <algorithm>
@@ -57,6 +60,10 @@ CheckFile(const std::string & fileName)
                                << "; raise the limit (ulimit -n)");
     }
     itkGenericExceptionMacro(<< fileName << ": the file cannot be opened; check its permissions");
+  }
+  if (HasExtension(fileName, { ".mha", ".mhd" }))
+  {
+    CheckMetaImageHeader(fileName);
   }
 }
 

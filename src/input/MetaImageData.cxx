@@ -26,6 +26,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace mmm
@@ -56,7 +57,7 @@ Stripped(const std::string & text)
 
 /** The lines "name = value", of which the one with the file of the data is the last. */
 Header
-ReadHeader(std::ifstream & stream)
+ReadHeader(std::istream & stream)
 {
   Header header;
   for (std::string line; header.fields.count("ElementDataFile") == 0 && std::getline(stream, line);)
@@ -73,7 +74,7 @@ ReadHeader(std::ifstream & stream)
 
 /** How many bytes the rest of a file is when it is uncompressed; 0 if it is broken. */
 std::uint64_t
-CountUncompressed(std::ifstream & stream)
+CountUncompressed(std::istream & stream)
 {
   std::vector<char> input(1 << 16);
   std::vector<char> output(1 << 18);
@@ -102,6 +103,25 @@ CountUncompressed(std::ifstream & stream)
   return status == Z_STREAM_END ? count : 0;
 }
 } // namespace
+
+void
+CheckMetaImageHeader(const std::string & fileName)
+{
+  std::ifstream stream(fs::u8path(fileName), std::ios::binary);
+  const Header  header = ReadHeader(stream);
+  const auto    found = header.fields.find("NDims");
+  if (found == header.fields.end())
+  {
+    return; // ITK says that it is missing
+  }
+  constexpr double   most = 10.0; // the size of MetaIO's arrays
+  double             dimensions = 0.0;
+  std::istringstream text(found->second);
+  if (!(text >> dimensions) || !(dimensions >= 1.0 && dimensions <= most))
+  {
+    ThrowDamaged(fileName, "its header says that it has " + found->second.substr(0, 20) + " dimensions");
+  }
+}
 
 void
 CheckMetaImageData(const std::string & fileName, double bytes)

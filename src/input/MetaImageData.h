@@ -22,6 +22,11 @@
 
 namespace mmm
 {
+/** \brief Throws where the header of a MetaImage (.mha, .mhd) says of no sensible number how many dimensions there are:
+ * ITK does not end reading numbers for that many. */
+void
+CheckMetaImageHeader(const std::string & fileName);
+
 /** \brief Throws where a MetaImage (.mha, .mhd) has less data than it should, or data that cannot be uncompressed.
  *
  * ITK reads such a file without an exception, and leaves the rest of the voxels as memory had them. */

@@ -519,6 +519,17 @@ TEST_F(VolumeFileReader, MetaImagesWithoutAllOfTheirDataAreRefused)
   }
 }
 
+TEST_F(VolumeFileReader, MetaImagesOfSenselessDimensionsAreRefused)
+{
+  for (const std::string dimensions : { "1152921504606846976", "-3", "0", "x" })
+  {
+    const auto file = this->WriteText("x.mha",
+                                      "ObjectType = Image\nNDims = " + dimensions +
+                                        "\nDimSize = 4 4 4\nElementType = MET_SHORT\nElementDataFile = LOCAL\n");
+    mmmtest::ExpectException([&] { this->Read(file); }, "its header says that it has " + dimensions + " dimensions");
+  }
+}
+
 TEST_F(VolumeFileReader, VoxelsOfAnUnknownTypeAreRefused)
 {
   const auto file = this->WriteText("x.mha",
