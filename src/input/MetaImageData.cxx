@@ -138,9 +138,13 @@ CheckMetaImageData(const std::string & fileName, double bytes)
   const bool          isLocal = dataFile == "LOCAL" || dataFile == "Local" || dataFile == "local";
   const bool          areMany = dataFile.find_first_of("% ") != std::string::npos || dataFile == "LIST";
   const fs::path      dataPath = isLocal ? path : path.parent_path() / fs::u8path(dataFile);
-  if (areMany || !fs::exists(dataPath))
+  if (areMany)
   {
-    return; // ITK says what is missing
+    return;
+  }
+  if (!fs::is_regular_file(dataPath))
+  {
+    ThrowDamaged(fileName, "there is no file '" + dataFile + "' with its data");
   }
   if (!isLocal)
   {

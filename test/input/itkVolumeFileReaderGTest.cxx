@@ -519,6 +519,18 @@ TEST_F(VolumeFileReader, MetaImagesWithoutAllOfTheirDataAreRefused)
   }
 }
 
+TEST_F(VolumeFileReader, MetaImagesWithoutTheFileOfTheirDataAreRefused)
+{
+  for (const std::string name : { "x.raw", ".", "" })
+  {
+    const auto file = this->WriteText("x.mhd",
+                                      "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_SHORT\n"
+                                      "ElementDataFile = " +
+                                        name + "\n");
+    mmmtest::ExpectException([&] { this->Read(file); }, "there is no file '" + name + "' with its data");
+  }
+}
+
 TEST_F(VolumeFileReader, MetaImagesOfSenselessDimensionsAreRefused)
 {
   for (const std::string dimensions : { "1152921504606846976", "-3", "0", "x" })
