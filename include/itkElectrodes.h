@@ -70,6 +70,11 @@ struct Electrode
   double                   radius{ 0.0 };
   /** Of a ring; of a cylinder that is a tube. */
   double innerRadius{ 0.0 };
+  /** Whether a cylinder begins, at its position, with half a sphere. */
+  bool isRounded{ false };
+  /** Of a contact that goes around an earlier implant of the same radius: the label of that, which is all that it
+   * hides. */
+  std::optional<int> bodyLabel;
   /** Length and width of a rectangle, edges of a box along x, y and z. */
   std::array<double, 3> size{ { 0.0, 0.0, 0.0 } };
   /** From the skin, or the gel, to the top. */
@@ -101,6 +106,33 @@ struct Electrodes
   std::optional<ElectrodeFiducials> fiducials;
 };
 
+/** Of a lead for deep brain stimulation, in mm. Its contacts are bands, and its tip is round. */
+struct LeadDimensions
+{
+  double diameter{ 0.0 };
+  /** From the tip to the first contact. */
+  double tipLength{ 0.0 };
+  int    contacts{ 0 };
+  double contactLength{ 0.0 };
+  /** From contact to contact. */
+  double spacing{ 0.0 };
+};
+
+/** Those that the makers publish: of "Medtronic 3387", "Medtronic 3389", "Medtronic 3391" and "Boston Scientific
+ * DB-2201". Throws itk::ExceptionObject for another one. */
+MultiMaterialMeshing_EXPORT LeadDimensions
+LeadDimensionsOf(const std::string & model);
+
+/** The shaft of a lead, from its tip to where it enters the head, and its contacts. The contact next to the tip has the
+ * label `firstLabel`, the others have those that follow. */
+MultiMaterialMeshing_EXPORT std::vector<Electrode>
+                            MakeLead(const std::string &          name,
+                                     int                          firstLabel,
+                                     int                          shaftLabel,
+                                     const Electrode::PointType & tip,
+                                     const Electrode::PointType & entry,
+                                     const LeadDimensions &       dimensions);
+
 /** Reads a JSON file. Throws itk::ExceptionObject with the file, the place in it, what is wrong and what to do. */
 MultiMaterialMeshing_EXPORT Electrodes
 ReadElectrodes(const std::string & fileName);
@@ -120,7 +152,8 @@ struct ElectrodeReport
   Electrode::PointType position;
   /** How far the skin was from the place that was asked for, in mm. */
   double projection{ None };
-  /** The triangles between it and what is below: gel or tissue; of an implant, all around it. */
+  /** The triangles between it and what is below: gel or tissue; of an implant, all around it but for other electrodes.
+   */
   double contactArea{ None };
   /** The same as the shape says, on the skin as it is between the voxels. */
   double expectedArea{ None };

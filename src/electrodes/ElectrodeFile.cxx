@@ -20,7 +20,9 @@
 
 #include "itkMacro.h"
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -29,6 +31,15 @@ namespace mmm
 namespace
 {
 using Point = Electrode::PointType;
+
+/** Without what ITK puts before it. */
+std::string
+DescriptionOf(const itk::ExceptionObject & error)
+{
+  const std::string text = error.GetDescription();
+  const std::string prefix = "ITK ERROR: ";
+  return text.compare(0, prefix.size(), prefix) == 0 ? text.substr(prefix.size()) : text;
+}
 
 class ElectrodeParser
 {
@@ -58,6 +69,15 @@ public:
              this->ParsePoint(fields["right"]) };
   }
 
+  /** One, or a lead's shaft and contacts. */
+  std::vector<Electrode>
+  Parse(const JsonFields & fields) const
+  {
+    return fields["shape"].Text() == "lead" ? this->ParseLead(fields)
+                                            : std::vector<Electrode>{ this->ParseElectrode(fields) };
+  }
+
+private:
   Electrode
   ParseElectrode(const JsonFields & fields) const
   {
@@ -71,7 +91,7 @@ public:
     if (shape == shapes.end())
     {
       fields["shape"].Fail('\'' + fields["shape"].Text() +
-                           "' is no shape; it can be disc, ring, rectangle, sphere, box or cylinder");
+                           "' is no shape; it can be disc, ring, rectangle, sphere, box, cylinder or lead");
     }
     Electrode electrode;
     electrode.shape = shape->second;
@@ -89,7 +109,88 @@ public:
     return electrode;
   }
 
-private:
+  std::vector<Electrode>
+  ParseLead(const JsonFields & fields) const
+  {
+    fields.Allow({ "name",
+                   "label",
+                   "shape",
+                   "tip",
+                   "entry",
+                   "shaft_label",
+                   "model",
+                   "diameter",
+                   "tip_length",
+                   "contacts",
+                   "contact_length",
+                   "spacing" });
+    const auto dimensions = this->ParseDimensions(fields);
+    const int  label = fields["label"].Label();
+    const int  shaft = fields["shaft_label"].Label();
+    if (label > std::numeric_limits<int>::max() - dimensions.contacts)
+    {
+      fields["label"].Fail("the contacts have the labels from this one on, which leaves no room for them");
+    }
+    if (label <= shaft && shaft < label + dimensions.contacts)
+    {
+      fields["shaft_label"].Fail("it is that of a contact: they have the labels from " + std::to_string(label) +
+                                 " to " + std::to_string(label + dimensions.contacts - 1));
+    }
+    std::vector<Electrode> lead;
+    try
+    {
+      lead = MakeLead(fields.Has("name") ? fields["name"].Text() : "",
+                      label,
+                      shaft,
+                      this->ParsePoint(fields["tip"]),
+                      this->ParsePoint(fields["entry"]),
+                      dimensions);
+    }
+    catch (const itk::ExceptionObject & error)
+    {
+      fields["entry"].Fail(DescriptionOf(error));
+    }
+    for (Electrode & electrode : lead)
+    {
+      electrode.source = fields.GetPath();
+    }
+    return lead;
+  }
+
+  static LeadDimensions
+  ParseDimensions(const JsonFields & fields)
+  {
+    if (fields.Has("model"))
+    {
+      for (const char * const key : { "diameter", "tip_length", "contacts", "contact_length", "spacing" })
+      {
+        if (fields.Has(key))
+        {
+          fields[key].Fail("the model says this");
+        }
+      }
+      try
+      {
+        return LeadDimensionsOf(fields["model"].Text());
+      }
+      catch (const itk::ExceptionObject & error)
+      {
+        fields["model"].Fail(DescriptionOf(error));
+      }
+    }
+    constexpr double mostContacts = 64.0;
+    const double     contacts = fields["contacts"].PositiveNumber();
+    if (contacts != std::floor(contacts) || contacts > mostContacts)
+    {
+      fields["contacts"].Fail("it has to be a whole number up to 64");
+    }
+    return { fields["diameter"].PositiveNumber(),
+             fields["tip_length"].PositiveNumber(),
+             static_cast<int>(contacts),
+             fields["contact_length"].PositiveNumber(),
+             fields["spacing"].PositiveNumber() };
+  }
+
   void
   ParseOnSkin(const JsonFields & fields, Electrode & electrode) const
   {
@@ -219,7 +320,10 @@ ReadElectrodes(const std::string & fileName)
   }
   for (const JsonFields & fields : root["electrodes"].Elements())
   {
-    electrodes.list.push_back(parser.ParseElectrode(fields));
+    for (const Electrode & electrode : parser.Parse(fields))
+    {
+      electrodes.list.push_back(electrode);
+    }
   }
   if (electrodes.list.empty())
   {

@@ -29,6 +29,8 @@ namespace
 constexpr double Depth = 2.0;
 /** How far a gel reaches beyond the electrode that it is in, whose sides are its sides. */
 constexpr double GelMargin = 1.0;
+/** How far a part of a body reaches beyond that, whose surface is its surface. */
+constexpr double BodyMargin = 2.0;
 
 /** The distance to where |x| = half, positive where it is less. */
 double
@@ -165,12 +167,34 @@ MakeImplant(const ElectrodeLengths & lengths, const SkinFrame & frame)
     case ElectrodeShape::Cylinder:
     {
       half[0] = 0.5 * lengths.size[0];
+      if (lengths.isPartOfBody)
+      {
+        half[1] = half[2] = lengths.radius + BodyMargin;
+        solid.distance = [frame, half](const Vector & x) {
+          const Vector local = frame.ToLocal(x);
+          return std::min(Within(half[0], local[0]), Within(half[1], std::hypot(local[1], local[2])));
+        };
+        solid.area = 2.0 * EIGEN_PI * lengths.radius * lengths.size[0];
+        break;
+      }
       solid.distance = [frame, lengths, end = half[0]](const Vector & x) {
         const Vector local = frame.ToLocal(x);
-        return std::min(Within(end, local[0]), WithinCorners(lengths, local[1] * local[1] + local[2] * local[2]));
+        const double around = local[1] * local[1] + local[2] * local[2];
+        const double along = local[0] + end - lengths.radius;
+        if (lengths.isRounded && along < 0.0)
+        {
+          return Within(lengths.radius, lengths.innerRadius, around + along * along);
+        }
+        const double fromEnd = lengths.isRounded ? end - local[0] : Within(end, local[0]);
+        return std::min(fromEnd, Within(lengths.radius, lengths.innerRadius, around));
       };
       const double radii = lengths.radius + lengths.innerRadius;
       solid.area = 2.0 * EIGEN_PI * radii * (lengths.size[0] + lengths.radius - lengths.innerRadius);
+      if (lengths.isRounded)
+      {
+        // half a sphere in place of a disc and a part of the side
+        solid.area -= EIGEN_PI * lengths.radius * lengths.radius;
+      }
       break;
     }
     default:

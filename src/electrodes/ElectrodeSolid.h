@@ -51,6 +51,10 @@ struct ElectrodeLengths
   double         thickness;
   /** 0 without gel. */
   double gelThickness;
+  /** Whether a cylinder begins with half a sphere. */
+  bool isRounded;
+  /** Whether it is the part of a thinner body between its ends. */
+  bool isPartOfBody;
   /** Of the polygon that stands for a circle, 0 if it is not known. */
   double edge;
 

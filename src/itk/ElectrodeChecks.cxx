@@ -31,6 +31,12 @@ constexpr double FarthestProjection = 20.0;
 constexpr double LargestLength = 500.0;
 } // namespace
 
+double
+ElectrodeChecks::LeastVoxelsOf(const Electrode & electrode)
+{
+  return electrode.isRounded || electrode.bodyLabel ? LeastVoxelsOfLeads : LeastVoxels;
+}
+
 void
 ElectrodeChecks::VerifyLabel(const Electrode & electrode, const char * key, int label) const
 {
@@ -102,7 +108,7 @@ ElectrodeChecks::Verify(const Electrode & electrode) const
                " mm or more are needed");
         }
       }
-      this->VerifyLength(electrode, "radius", electrode.radius, 0.5 * LeastVoxels);
+      this->VerifyLength(electrode, "radius", electrode.radius, 0.5 * LeastVoxelsOf(electrode));
   }
   if (electrode.IsOnSkin())
   {

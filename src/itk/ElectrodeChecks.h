@@ -54,6 +54,10 @@ public:
   /** A length in mm, of a key of the electrode, which is to be so many voxels at least. What is thinner may have no
    * voxel's centre in it, and gets holes. */
   static constexpr double LeastVoxels = 1.5;
+  /** The same for the shafts and contacts of leads, which are of one piece. */
+  static constexpr double LeastVoxelsOfLeads = 1.2;
+  static double
+  LeastVoxelsOf(const Electrode & electrode);
   void
   VerifyLength(const Electrode & electrode, const char * key, double length, double voxels = LeastVoxels) const;
   /** What the skin that bulges leaves of a thickness. */

@@ -104,7 +104,7 @@ MeasureContacts(const Electrodes &              electrodes,
       {
         const std::size_t n = Nearest(found->second.electrodes, middle, reports);
         // with a gel, what counts is that; other electrodes are no contact
-        if (electrodes.list[n].gel ? isOnGel : below == owners.end() || !electrodes.list[n].IsOnSkin())
+        if (electrodes.list[n].gel ? isOnGel : below == owners.end())
         {
           reports[n].contactArea += area;
         }

@@ -22,10 +22,10 @@
 #include "electrodes/TenTen.h"
 #include "indicators/IndicatorSet.h"
 #include "itk/ElectrodeChecks.h"
+#include "itk/ElectrodeOverlaps.h"
 #include "itk/GridGeometry.h"
 #include "itk/LabelDomain.h"
 
-#include "itkImageRegionConstIterator.h"
 #include "itkImageRegionIteratorWithIndex.h"
 
 #include <algorithm>
@@ -102,6 +102,8 @@ private:
              { electrode.size[0] / unit, electrode.size[1] / unit, electrode.size[2] / unit },
              electrode.thickness / unit,
              electrode.gel ? electrode.gel->thickness / unit : 0.0,
+             electrode.isRounded,
+             electrode.bodyLabel.has_value(),
              EdgeOf(this->SizeOf(electrode) / unit) };
   }
 
@@ -239,7 +241,8 @@ private:
     {
       const Vector along = toGrid(*electrode.end) - frame.origin;
       lengths.size[0] = along.norm();
-      m_Checks.VerifyLength(electrode, "to", lengths.size[0] * m_Geometry.GetUnit());
+      m_Checks.VerifyLength(
+        electrode, "to", lengths.size[0] * m_Geometry.GetUnit(), ElectrodeChecks::LeastVoxelsOf(electrode));
       frame.origin += 0.5 * along;
       frame.axes[0] = along.normalized();
       frame.axes[1] = frame.axes[0].unitOrthogonal();
@@ -262,7 +265,29 @@ private:
     {
       ElectrodeChecks::Fail(electrode, "", "it is not all within the image");
     }
-    this->Add(electrode, solid, electrode.label, {});
+    std::vector<int> hidden;
+    if (electrode.bodyLabel)
+    {
+      this->BodyOf(electrode).expectedArea -= report.expectedArea;
+      hidden.push_back(*electrode.bodyLabel);
+    }
+    this->Add(electrode, solid, electrode.label, hidden);
+  }
+
+  /** What is told of the implant that a contact is a part of. */
+  ElectrodeReport &
+  BodyOf(const Electrode & contact)
+  {
+    const auto last = std::prev(m_Placed.reports.end());
+    const auto found = std::find_if(m_Placed.reports.begin(), last, [&](const ElectrodeReport & report) {
+      return report.label == *contact.bodyLabel;
+    });
+    if (found == last)
+    {
+      ElectrodeChecks::Fail(
+        contact, "", "there is no implant before it with the label ", *contact.bodyLabel, " of its body");
+    }
+    return *found;
   }
 
   double
@@ -344,27 +369,6 @@ private:
   /** Labels that the next one on the skin may hide: exterior and earlier ones. */
   std::vector<int> m_Hidden;
 };
-
-/** Whether two are inside of both at some voxel's centre. */
-bool
-Overlap(const FloatImage * first, const FloatImage * second)
-{
-  Region region = first->GetBufferedRegion();
-  if (!region.Crop(second->GetBufferedRegion()))
-  {
-    return false;
-  }
-  itk::ImageRegionConstIterator<FloatImage> a(first, region);
-  itk::ImageRegionConstIterator<FloatImage> b(second, region);
-  for (; !a.IsAtEnd(); ++a, ++b)
-  {
-    if (a.Get() > 0.0f && b.Get() > 0.0f)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 } // namespace
 
 PlacedElectrodes
@@ -373,26 +377,14 @@ PlaceElectrodes(const Electrodes &       electrodes,
                 const std::vector<int> & exteriorLabels,
                 const LabelSizeRules &   sizes)
 {
+  const auto      list = WithBodies(electrodes.list);
   ElectrodePlacer placer(labels, exteriorLabels, sizes, electrodes.fiducials);
-  for (const Electrode & electrode : electrodes.list)
+  for (const Electrode & electrode : list)
   {
     placer.Place(electrode);
   }
-  PlacedElectrodes         placed = placer.Take();
-  std::vector<std::size_t> bodies;
-  for (std::size_t n = 0, surface = 0; n < electrodes.list.size(); ++n)
-  {
-    const auto & distances = placed.surfaces.distances;
-    for (std::size_t other = 0; other < n; ++other)
-    {
-      if (Overlap(distances[surface], distances[bodies[other]]))
-      {
-        placed.reports[n].covered.push_back(electrodes.list[other].name);
-      }
-    }
-    bodies.push_back(surface);
-    surface += electrodes.list[n].gel ? 2 : 1;
-  }
+  PlacedElectrodes placed = placer.Take();
+  ReportCovered(list, placed);
   return placed;
 }
 } // namespace mmm

@@ -19,6 +19,7 @@
 #include "itk/SizingOptions.h"
 #include "itkLabelMeshing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -65,7 +66,10 @@ DescribeError(const LabelMeshingInputs & inputs)
   {
     words << "The exterior is to be filled, but no label is exterior.";
   }
-  else if (!inputs.electrodes.list.empty() && options.exteriorLabels.empty())
+  else if (options.exteriorLabels.empty() &&
+           std::any_of(inputs.electrodes.list.begin(), inputs.electrodes.list.end(), [](const Electrode & electrode) {
+             return electrode.IsOnSkin();
+           }))
   {
     words << "Electrodes stand on the skin, where exterior begins, but no label is exterior.";
   }

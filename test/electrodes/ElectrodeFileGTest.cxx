@@ -78,6 +78,56 @@ TEST_F(ElectrodeFile, HasShapesInLPSOrRAS)
   EXPECT_EQ(names.at(201).name, "Cz gel");
 }
 
+TEST_F(ElectrodeFile, LeadIsAShaftAndItsContacts)
+{
+  const auto list = this
+                      ->Read(R"({"space": "LPS", "electrodes": [{"name": "left", "label": 51, "shape": "lead",
+    "shaft_label": 50, "model": "Medtronic 3389", "tip": [1, 2, 3], "entry": [1, 2, 33]}]})")
+                      .list;
+  ASSERT_EQ(list.size(), 5u);
+  EXPECT_EQ(list[0].label, 50);
+  EXPECT_TRUE(list[0].isRounded);
+  for (int contact = 1; contact <= 4; ++contact)
+  {
+    EXPECT_EQ(list[contact].name, "left contact " + std::to_string(contact));
+    EXPECT_EQ(list[contact].label, 50 + contact);
+    EXPECT_EQ(list[contact].bodyLabel, 50);
+    EXPECT_DOUBLE_EQ(list[contact].radius, 0.635);
+    EXPECT_DOUBLE_EQ(list[contact].position[2], 3.0 + 1.5 + 2.0 * (contact - 1));
+    EXPECT_DOUBLE_EQ((*list[contact].end)[2], list[contact].position[2] + 1.5);
+  }
+}
+
+TEST_F(ElectrodeFile, LeadsMayHaveDimensionsOfTheirOwn)
+{
+  const auto list = this
+                      ->Read(R"({"space": "LPS", "electrodes": [{"label": 51, "shape": "lead", "shaft_label": 50,
+    "diameter": 2, "tip_length": 1, "contacts": 2, "contact_length": 3, "spacing": 4, "tip": [0, 0, 0],
+    "entry": [20, 0, 0]}]})")
+                      .list;
+  ASSERT_EQ(list.size(), 3u);
+  EXPECT_EQ(list[2].name, "contact 2");
+  EXPECT_DOUBLE_EQ(list[2].position[0], 8.0);
+  EXPECT_DOUBLE_EQ((*list[2].end)[0], 11.0);
+  EXPECT_DOUBLE_EQ(list[2].radius, 1.0);
+}
+
+TEST_F(ElectrodeFile, ErrorsOfLeadsTellThePlaceInIt)
+{
+  const std::string lead = R"({"shape": "lead", "label": 51, "tip": [0, 0, 0], "entry": [0, 0, 9], )";
+  this->ExpectError(lead + R"("shaft_label": 50, "model": "DB-1"})",
+                    "electrodes[0].model: 'DB-1' is no lead that is known; known are Boston Scientific DB-2201, ");
+  this->ExpectError(lead + R"("shaft_label": 50, "model": "Medtronic 3387"})",
+                    "electrodes[0].entry: it is 9 mm from the tip, and the contacts reach up to 12 mm.");
+  this->ExpectError(lead + R"("shaft_label": 54, "model": "Medtronic 3389"})",
+                    "electrodes[0].shaft_label: it is that of a contact: they have the labels from 51 to 54.");
+  this->ExpectError(lead + R"("shaft_label": 50, "model": "Medtronic 3389", "spacing": 1})",
+                    "electrodes[0].spacing: the model says this.");
+  this->ExpectError(lead + R"("shaft_label": 50, "contacts": 2.5})",
+                    "electrodes[0].contacts: it has to be a whole number up to 64.");
+  this->ExpectError(lead + R"("shaft_label": 50, "contacts": 2})", "electrodes[0].diameter: it is missing.");
+}
+
 TEST_F(ElectrodeFile, ErrorsTellThePlaceInIt)
 {
   this->ExpectError("", "electrodes: there is none.");

@@ -216,10 +216,79 @@ TEST(Electrodes, ImplantsHideWhatIsThere)
   filter->Update();
   auto volumes = VolumesOf(*filter);
   EXPECT_NEAR(volumes[3] / (4.0 / 3.0 * EIGEN_PI * 64.0), 1.0, 0.02);
-  EXPECT_NEAR(volumes[4] / (EIGEN_PI * 4.0 * std::sqrt(154.0)), 1.0, 0.06);
+  EXPECT_NEAR(volumes[4] / (EIGEN_PI * 4.0 * std::sqrt(154.0)), 1.0, 0.03);
   EXPECT_NEAR(volumes[5] / 120.0, 1.0, 0.15);
   EXPECT_NEAR(filter->GetElectrodeReports()[0].expectedArea, 4.0 * EIGEN_PI * 16.0, 1e-6);
   EXPECT_TRUE(std::isnan(filter->GetElectrodeReports()[0].projection));
+}
+
+TEST(Electrodes, ContactsOfALeadHaveTheirAreaAndDoNotTouch)
+{
+  constexpr double spacing = 0.6;
+  const auto       image = mmmtest::MakeHalves<LabelImage>(40, 15.0);
+  const double     voxel[] = { spacing, spacing, spacing };
+  image->SetSpacing(voxel);
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  const auto tip = At({ 11.0, 12.0, 7.0 });
+  filter->SetElectrodes(
+    { mmm::MakeLead("lead", 51, 50, tip, At({ 13.0, 9.0, 19.0 }), mmm::LeadDimensionsOf("Medtronic 3389")), {} });
+  filter->Update();
+  const auto   volumes = VolumesOf(*filter);
+  const auto & reports = filter->GetElectrodeReports();
+  ASSERT_EQ(reports.size(), 5u);
+  for (const auto & report : reports)
+  {
+    EXPECT_NEAR(report.contactArea / report.expectedArea, 1.0, 0.03) << report.name;
+    EXPECT_TRUE(report.covered.empty()) << report.name;
+  }
+  EXPECT_NEAR(reports[1].expectedArea, EIGEN_PI * 1.27 * 1.5, 1e-9);
+  const auto * surface = filter->GetSurface();
+  for (itk::SizeValueType t = 0; t < surface->GetNumberOfCells(); ++t)
+  {
+    const auto & sides = surface->GetCellData()->ElementAt(t);
+    EXPECT_FALSE(sides[0] > 50 && sides[1] > 50) << sides;
+  }
+}
+
+TEST(Electrodes, CylindersThatArePartsOfAnEarlierOneAreItsContacts)
+{
+  Electrode shaft;
+  shaft.name = "shaft";
+  shaft.label = 3;
+  shaft.shape = ElectrodeShape::Cylinder;
+  shaft.position = At(Middle + Vector(-1.0, -2.0, -6.0));
+  shaft.end = At(Middle + Vector(1.0, 2.0, 6.0));
+  shaft.radius = 1.5;
+  Electrode contact = shaft;
+  contact.name = "contact";
+  contact.label = 4;
+  contact.position = At(Middle + Vector(-0.5, -1.0, -3.0));
+  contact.end = At(Middle);
+  const auto filter = MakeFilter({ shaft, contact });
+  filter->Update();
+  const auto & report = filter->GetElectrodeReports()[1];
+  EXPECT_NEAR(report.contactArea / (2.0 * EIGEN_PI * 1.5 * std::sqrt(10.25)), 1.0, 0.03);
+  EXPECT_TRUE(report.covered.empty());
+}
+
+TEST(Electrodes, ImplantsNeedNoExterior)
+{
+  Electrode lead;
+  lead.name = "lead";
+  lead.label = 4;
+  lead.shape = ElectrodeShape::Cylinder;
+  lead.position = At({ 8.0, 8.0, 8.0 });
+  lead.end = At({ 12.0, 13.0, 16.0 });
+  lead.radius = 2.0;
+  const auto filter = FilterType::New();
+  filter->SetInput(mmmtest::MakeImage<LabelImage>(24, 24, 24, [](int i, int, int) { return 1 + i / 12; }));
+  filter->SetExteriorLabels({});
+  filter->SetElectrodes({ { lead }, {} });
+  filter->Update();
+  EXPECT_NEAR(VolumesOf(*filter)[4] / (EIGEN_PI * 4.0 * std::sqrt(105.0)), 1.0, 0.03);
+  filter->SetElectrodes({ { MakeDisc({ 1.0, 0.0, 0.0 }, 5.0) }, {} });
+  mmmtest::ExpectException([&] { filter->Update(); }, "no label is exterior");
 }
 
 TEST(Electrodes, ThatGoBeyondTheImageExtendIt)
@@ -339,7 +408,9 @@ TEST(Electrodes, ThatCannotBePlacedAreRefused)
   expect(bad, "electrode 'disc': it is not all within the image");
   bad.shape = ElectrodeShape::Cylinder;
   expect(bad, "electrode 'disc'.to: it is missing");
-  const auto filled = MakeFilter({ good });
-  filled->SetExteriorLabels({});
-  mmmtest::ExpectException([&] { filled->Update(); }, "no label is exterior");
+  bad.end = At({ 9.0, 9.0, 9.0 });
+  bad.bodyLabel = 70;
+  bad.radius = 2.0;
+  bad.position = At(Middle);
+  expect(bad, "electrode 'disc': there is no implant before it with the label 70 of its body");
 }

@@ -184,10 +184,6 @@ CheckSettings(const Settings & settings)
   {
     throw UsageError("--electrodes are for LABELS and surfaces, not for --indicators");
   }
-  if (!settings.electrodes.empty() && settings.exterior.empty())
-  {
-    throw UsageError("--electrodes need an exterior label, where the skin ends; leave out --exterior none");
-  }
   if (settings.IsFilled() && settings.exterior.empty())
   {
     throw UsageError("--fill-exterior and --air-margin need an exterior label; leave out --exterior none");

@@ -24,9 +24,45 @@
 #include <cmath>
 #include <iomanip>
 #include <ostream>
+#include <sstream>
 
 namespace cli
 {
+namespace
+{
+/** The share by which the contact area in the mesh differs from that of the shape; not a number where there is none. */
+double
+ErrorOf(const mmm::ElectrodeReport & electrode)
+{
+  return electrode.contactArea / electrode.expectedArea - 1.0;
+}
+
+void
+WarnOfAreas(const std::vector<mmm::ElectrodeReport> & electrodes)
+{
+  constexpr double             large = 0.05;
+  std::size_t                  count = 0;
+  const mmm::ElectrodeReport * worst = nullptr;
+  for (const mmm::ElectrodeReport & electrode : electrodes)
+  {
+    if (std::abs(ErrorOf(electrode)) > large)
+    {
+      ++count;
+      worst = worst == nullptr || std::abs(ErrorOf(electrode)) > std::abs(ErrorOf(*worst)) ? &electrode : worst;
+    }
+  }
+  if (worst != nullptr)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << "contact areas of " << count << " electrodes differ from those of their shapes by more than "
+         << 100.0 * large << " %, most that of '" << worst->name << "': " << worst->contactArea << " mm^2 for "
+         << worst->expectedArea << "; they are nearer in an image of smaller voxels";
+    Warn(text.str());
+  }
+}
+} // namespace
+
 void
 AddElectrodes(const Settings & settings, Input & input)
 {
@@ -50,6 +86,7 @@ FinishElectrodes(const MeshFilter & filter, Input & input)
     }
   }
   const auto & reports = filter.GetElectrodeReports();
+  WarnOfAreas(reports);
   for (std::size_t n = 0; n < reports.size(); ++n)
   {
     for (const std::string & covered : reports[n].covered)
@@ -90,7 +127,7 @@ PrintElectrodes(std::ostream & os, const std::vector<mmm::ElectrodeReport> & ele
   for (const mmm::ElectrodeReport & electrode : electrodes)
   {
     farthest = std::fmax(farthest, electrode.projection);
-    const double error = electrode.contactArea / electrode.expectedArea - 1.0;
+    const double error = ErrorOf(electrode);
     worst = std::abs(error) > std::abs(worst) ? error : worst;
   }
   if (!electrodes.empty())
