@@ -71,7 +71,7 @@ ToLead(double distance)
   return sign * std::min(std::max(static_cast<float>(std::abs(distance)), LeastDistance), Band);
 }
 
-/** The nodes of a layer that are not far. */
+/** The nodes of a layer that are not far, and those that interpolation between them takes. */
 void
 ShrinkToBand(IndicatorLayer & layer)
 {
@@ -85,6 +85,12 @@ ShrinkToBand(IndicatorLayer & layer)
     }
     ++distance;
   });
+  constexpr int margin = 2;
+  for (int a = 0; a < 3; ++a)
+  {
+    near.lower[a] = std::max(near.lower[a] - margin, layer.box.lower[a]);
+    near.upper[a] = std::min(near.upper[a] + margin, layer.box.upper[a]);
+  }
   std::vector<float> distances;
   distance = layer.distances.begin();
   layer.box.Visit([&](const Index & at) {
