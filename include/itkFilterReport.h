@@ -52,6 +52,7 @@ public:
     m_Facts.islands = &filter.GetIslandRecords();
     m_Facts.vanishedLabels = &filter.GetVanishedLabels();
     m_Facts.stages = &filter.GetStageRecords();
+    m_Facts.electrodes = &filter.GetElectrodeReports();
     m_Facts.absentExteriorLabels = filter.GetAbsentExteriorLabels();
     m_Facts.outsideLabel = filter.GetOutsideLabel();
     m_Facts.tetrahedra = m_Tetrahedra;

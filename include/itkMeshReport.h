@@ -18,6 +18,7 @@
 #ifndef itkMeshReport_h
 #define itkMeshReport_h
 
+#include "itkElectrodes.h"
 #include "itkMultiMaterialMeshTypes.h"
 #include "MultiMaterialMeshingExport.h"
 #include "MultiMaterialMeshingQuality.h"
@@ -45,6 +46,8 @@ struct MeshFacts
   /** The image that was meshed, and the region of it that the mesh fills. */
   const ImageBase<3> * image;
   ImageRegion<3>       meshedRegion;
+  /** Null, or empty, if there are none. */
+  const std::vector<mmm::ElectrodeReport> * electrodes{ nullptr };
   /** Null if there is the surface only. */
   const mmm::MeshQualityReport * quality{ nullptr };
   mmm::Distribution              surfaceQuality;

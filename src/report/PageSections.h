@@ -51,6 +51,10 @@ MakeLabelSection(const itk::MeshFacts & facts, const itk::MeshPageDetails & deta
 std::string
 MakeShapeSection(const itk::MeshFacts & facts, const itk::MeshPageDetails & details);
 
+/** Where electrodes are, and their contact areas; empty if there are none. */
+std::string
+MakeElectrodeSection(const itk::MeshFacts & facts, const itk::MeshPageDetails & details);
+
 /** Numbers expected and made, edge lengths asked for and got, how far particles are off. */
 std::string
 MakeSizeSection(const itk::MeshFacts & facts);

@@ -103,8 +103,8 @@ MakeMeshPage(const MeshFacts & facts, const MeshPageDetails & details)
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n" +
          MakeHead(facts, details, title) + "<body>\n<main>\n<h1>" + title + "</h1>\n" + MakeKeyFigures(facts) +
          MakeWarningSection(facts, details) + MakeCutSection(facts, details) + MakeLabelSection(facts, details) +
-         MakeShapeSection(facts, details) + MakeSizeSection(facts) + MakeLossSection(facts, details) +
-         MakeStageSection(facts) + MakeSettingSection(details) +
+         MakeElectrodeSection(facts, details) + MakeShapeSection(facts, details) + MakeSizeSection(facts) +
+         MakeLossSection(facts, details) + MakeStageSection(facts) + MakeSettingSection(details) +
          "<p class=\"save\" hidden=\"hidden\"><a id=\"save\" download=\"report.json\" href=\"#\">All numbers, as "
          "JSON</a></p>\n</main>\n<script type=\"application/json\" id=\"report\">" +
          EmbeddedJson(details.json.empty() ? MakeMeshReport(facts) : details.json) +

@@ -17,9 +17,8 @@
  *=========================================================================*/
 #include "itkMeshReport.h"
 
-#include "mesh/TetrahedronQuality.h"
-#include "quality/Distribution.h"
 #include "report/CurvingSection.h"
+#include "report/ElectrodeSection.h"
 #include "report/Json.h"
 
 #include "itkContinuousIndex.h"
@@ -353,28 +352,6 @@ QualitySection(const itk::MeshFacts & facts)
 
 namespace itk
 {
-mmm::Distribution
-ComputeSurfaceQuality(const LabelInterfaceMesh & surface)
-{
-  if (surface.GetNumberOfCells() == 0)
-  {
-    return {};
-  }
-  const auto & points = *surface.GetPoints();
-  const auto   corner = [&](const auto & triangle, int c) {
-    const auto & point = points.ElementAt(triangle.GetPointIds()[c]);
-    return mmm::Vector(point[0], point[1], point[2]);
-  };
-  std::vector<double> ratios;
-  ratios.reserve(surface.GetNumberOfCells());
-  for (auto cell = surface.GetCells()->Begin(); cell != surface.GetCells()->End(); ++cell)
-  {
-    const auto & triangle = *cell.Value();
-    ratios.push_back(mmm::TriangleRadiusRatio(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)));
-  }
-  return mmm::Summarize(ratios.data(), ratios.data() + ratios.size());
-}
-
 std::string
 MakeMeshReport(const MeshFacts & facts)
 {
@@ -387,6 +364,10 @@ MakeMeshReport(const MeshFacts & facts)
   report.Add("vanished_labels", mmm::PerLabel(*facts.vanishedLabels, "voxels"));
   report.Add("expected", mmm::EstimateSection(meshing.estimate));
   report.Add("counts", mmm::CountSection(facts));
+  if (facts.electrodes != nullptr && !facts.electrodes->empty())
+  {
+    report.Add("electrodes", mmm::ElectrodeSection(*facts.electrodes));
+  }
   report.Add("relaxation", mmm::RelaxationSection(meshing));
   report.Add("topology", mmm::TopologySection(meshing));
   report.Add("sampling", mmm::SamplingSection(meshing));

@@ -50,6 +50,16 @@ def test_a_disc_has_its_contact_area(tmp_path):
     assert set(labels_of(mesher.GetOutput())) == {1, 101}
 
 
+def test_reports_have_the_electrodes(tmp_path):
+    files = [str(tmp_path / "report.json"), str(tmp_path / "report.html")]
+    for file in files:
+        itk.multimaterial_mesh(make_ball(), electrodes=write(tmp_path / "cap.json"), report=file)
+    (electrode,) = json.loads(open(files[0]).read())["electrodes"]
+    assert electrode["name"] == "Cz"
+    assert electrode["contact_area_mm2"] == pytest.approx(electrode["expected_area_mm2"], rel=0.015)
+    assert ">Electrodes</h2>" in open(files[1]).read()
+
+
 def test_names_are_those_of_the_file(tmp_path):
     mesh = itk.multimaterial_mesh(make_ball(), electrodes=write(tmp_path / "cap.json"))
     assert mesh.names == {101: "Cz"}

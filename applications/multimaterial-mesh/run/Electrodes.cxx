@@ -97,28 +97,6 @@ FinishElectrodes(const MeshFilter & filter, Input & input)
   }
 }
 
-nlohmann::ordered_json
-DescribeElectrodes(const std::vector<mmm::ElectrodeReport> & electrodes)
-{
-  using Json = nlohmann::ordered_json;
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
-  Json       list = Json::array();
-  for (const mmm::ElectrodeReport & electrode : electrodes)
-  {
-    const auto & position = electrode.position;
-    list.push_back({ { "name", electrode.name },
-                     { "label", electrode.label },
-                     { "position_mm", { position[0], position[1], position[2] } },
-                     { "projection_mm", number(electrode.projection) },
-                     { "contact_area_mm2", number(electrode.contactArea) },
-                     { "expected_area_mm2", number(electrode.expectedArea) },
-                     { "gel_contact_area_mm2", number(electrode.gelContactArea) },
-                     { "expected_gel_area_mm2", number(electrode.expectedGelArea) },
-                     { "covers", electrode.covered } });
-  }
-  return list;
-}
-
 void
 PrintElectrodes(std::ostream & os, const std::vector<mmm::ElectrodeReport> & electrodes)
 {

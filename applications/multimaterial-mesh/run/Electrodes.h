@@ -21,8 +21,6 @@
 #include "options/OptionTable.h"
 #include "run/Input.h"
 
-#include <nlohmann/json.hpp>
-
 #include <iosfwd>
 
 namespace cli
@@ -34,10 +32,6 @@ AddElectrodes(const Settings & settings, Input & input);
 /** Takes over what is known of electrodes once there is a mesh: their voxels. Warns of electrodes that cover others. */
 void
 FinishElectrodes(const MeshFilter & filter, Input & input);
-
-/** An object for each of them, for the report. */
-nlohmann::ordered_json
-DescribeElectrodes(const std::vector<mmm::ElectrodeReport> & electrodes);
 
 /** A line on the contacts. */
 void

@@ -20,7 +20,6 @@
 #include "console/Warnings.h"
 #include "options/OptionTable.h"
 #include "options/Version.h"
-#include "run/Electrodes.h"
 #include "run/Summary.h"
 #include "itkMeshPage.h"
 
@@ -274,6 +273,7 @@ FactsOf(const Outcome & outcome)
   facts.islands = &filter.GetIslandRecords();
   facts.vanishedLabels = &filter.GetVanishedLabels();
   facts.stages = &outcome.stages;
+  facts.electrodes = &filter.GetElectrodeReports();
   facts.absentExteriorLabels = filter.GetAbsentExteriorLabels();
   facts.outsideLabel = filter.GetOutsideLabel();
   facts.tetrahedra = outcome.tetrahedra;
@@ -298,10 +298,6 @@ MakeReport(const Outcome & outcome, const itk::MeshFacts & facts)
   if (!outcome.hulls.empty())
   {
     report["hulls"] = HullSection(outcome);
-  }
-  if (!outcome.filter->GetElectrodeReports().empty())
-  {
-    report["electrodes"] = DescribeElectrodes(outcome.filter->GetElectrodeReports());
   }
   if (!outcome.input.names.table.empty())
   {
