@@ -340,7 +340,10 @@ private:
     m_Placed.surfaces.distances.push_back(image.GetPointer());
     m_Placed.surfaces.labels.push_back(label);
     m_Placed.surfaces.replaced.push_back(hidden);
-    this->Grow(region);
+    if (electrode.IsOnSkin())
+    {
+      this->Grow(region);
+    }
   }
 
   void

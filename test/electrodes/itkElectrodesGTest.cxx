@@ -278,15 +278,17 @@ TEST(Electrodes, ImplantsNeedNoExterior)
   lead.name = "lead";
   lead.label = 4;
   lead.shape = ElectrodeShape::Cylinder;
-  lead.position = At({ 8.0, 8.0, 8.0 });
-  lead.end = At({ 12.0, 13.0, 16.0 });
+  lead.position = At({ 12.0, 13.0, 20.0 });
+  lead.end = At({ 8.0, 8.0, 12.0 });
   lead.radius = 2.0;
   const auto filter = FilterType::New();
   filter->SetInput(mmmtest::MakeImage<LabelImage>(24, 24, 24, [](int i, int, int) { return 1 + i / 12; }));
   filter->SetExteriorLabels({});
   filter->SetElectrodes({ { lead }, {} });
   filter->Update();
-  EXPECT_NEAR(VolumesOf(*filter)[4] / (EIGEN_PI * 4.0 * std::sqrt(105.0)), 1.0, 0.03);
+  const auto volumes = VolumesOf(*filter);
+  EXPECT_EQ(volumes.size(), 3u); // nothing is added around the image
+  EXPECT_NEAR(volumes.at(4) / (EIGEN_PI * 4.0 * std::sqrt(105.0)), 1.0, 0.03);
   filter->SetElectrodes({ { MakeDisc({ 1.0, 0.0, 0.0 }, 5.0) }, {} });
   mmmtest::ExpectException([&] { filter->Update(); }, "no label is exterior");
 }
