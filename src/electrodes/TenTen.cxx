@@ -31,6 +31,21 @@ constexpr double Step = 0.5; // voxels
 constexpr int    Halvings = 16;
 constexpr int    CzRounds = 5;
 
+/** Whether x is outside of the head, or of the image: where that cuts the head, interpolation goes on beyond it. */
+bool
+IsOutside(const Skin & skin, const Vector & x)
+{
+  const Grid & grid = skin.GetGrid();
+  for (int a = 0; a < 3; ++a)
+  {
+    if (x[a] < grid.LowerFace(a) || x[a] > grid.UpperFace(a))
+    {
+      return true;
+    }
+  }
+  return skin.Height(x) > 0.0;
+}
+
 /** Where a ray leaves the head for good. */
 Vector
 Leave(const Skin & skin, const Vector & origin, const Vector & direction)
@@ -39,7 +54,7 @@ Leave(const Skin & skin, const Vector & origin, const Vector & direction)
   const Vector extent = grid.Position(grid.size);
   double       outside = extent.norm();
   double       inside = outside - Step;
-  const auto   isOutside = [&](double length) { return skin.Height(origin + length * direction) > 0.0; };
+  const auto   isOutside = [&](double length) { return IsOutside(skin, origin + length * direction); };
   while (inside > 0.0 && isOutside(inside))
   {
     outside = inside;

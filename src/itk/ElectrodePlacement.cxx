@@ -23,6 +23,7 @@
 #include "indicators/IndicatorSet.h"
 #include "itk/ElectrodeChecks.h"
 #include "itk/ElectrodeOverlaps.h"
+#include "itk/ElectrodeSkin.h"
 #include "itk/GridGeometry.h"
 #include "itk/LabelDomain.h"
 
@@ -62,7 +63,7 @@ public:
     : m_Labels(labels)
     , m_Exterior(exteriorLabels)
     , m_Asked(sizes)
-    , m_Geometry(labels, labels->GetLargestPossibleRegion())
+    , m_Geometry(labels, WithExteriorAround(labels->GetLargestPossibleRegion()))
     , m_Checks(labels, exteriorLabels, m_Geometry.GetUnit() * m_Geometry.GetGrid().spacing.maxCoeff())
     , m_Fiducials(fiducials)
   {
@@ -141,14 +142,7 @@ private:
   {
     if (!m_Skin)
     {
-      const Grid &      grid = m_Geometry.GetGrid();
-      std::vector<bool> isExterior(grid.NumberOfNodes());
-      const int *       label = m_Labels->GetBufferPointer();
-      for (std::size_t n = 0; n < isExterior.size(); ++n)
-      {
-        isExterior[n] = Contains(m_Exterior, label[n]);
-      }
-      m_Skin = std::make_unique<Skin>(grid, isExterior);
+      m_Skin = MakeSkin(*m_Labels, m_Exterior, m_Geometry);
     }
     return *m_Skin;
   }

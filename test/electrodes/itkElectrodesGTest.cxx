@@ -371,6 +371,36 @@ TEST(Electrodes, StandAtSitesOfThe1020System)
   mmmtest::ExpectException([&] { filter->Update(); }, ".site: a site needs fiducials");
 }
 
+TEST(Electrodes, StandOnHeadsThatTheImageCuts)
+{
+  // the ball is cut on the left, on the right and above
+  const Vector middle(12.5, 17.5, 17.5);
+  const auto   filter = FilterType::New();
+  filter->SetInput(mmmtest::MakeImage<LabelImage>(
+    26, 36, 31, [&](int i, int j, int k) { return (Vector(i, j, k) - middle).norm() < Radius ? 1 : 0; }));
+  mmm::Electrodes electrodes;
+  electrodes.fiducials = { At(middle - Vector(0.0, 15.0, 0.0)),
+                           At(middle + Vector(0.0, 15.0, 0.0)),
+                           At(middle + Vector(13.0, 0.0, 0.0)),
+                           At(middle - Vector(13.0, 0.0, 0.0)) };
+  for (const std::string site : { "Cz", "Fz", "F3", "C4", "PO3" })
+  {
+    electrodes.list.push_back(MakeDisc({ 1.0, 0.0, 0.0 }, 2.0, 2.0));
+    electrodes.list.back().site = site;
+  }
+  filter->SetElectrodes(electrodes);
+  filter->SetSurfaceOnly(true);
+  filter->Update();
+  for (const auto & report : filter->GetElectrodeReports())
+  {
+    const Vector place = Vector(report.position.GetDataPointer()) - middle;
+    const double beyond = std::max({ std::abs(place[0]) - 13.0, place[2] - 13.0, place.norm() - Radius });
+    EXPECT_NEAR(beyond, 0.0, 0.5) << report.name;
+    EXPECT_LT(report.projection, 1.0) << report.name;
+    EXPECT_GT(report.contactArea, 3.0 * EIGEN_PI) << report.name;
+  }
+}
+
 TEST(Electrodes, ThatCannotBePlacedAreRefused)
 {
   const auto expect = [](const Electrode & electrode, const std::string & words) {
