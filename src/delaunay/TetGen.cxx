@@ -242,15 +242,20 @@ DelaunayTetrahedralization(const std::vector<Vector> & points)
   {
     itkGenericExceptionMacro("No tetrahedra between " << points.size() << " points: they lie in one plane.");
   }
-  tetgenio in;
-  tetgenio out;
-  SetPoints(in, points);
-  const std::string failure = Run("zJQ", in, out);
-  if (!failure.empty())
+  // where it trips over the order in which it takes points, it may not over the one in which they are given
+  std::string failure;
+  for (const char * const switches : { "zJQ", "zJQb0" })
   {
-    ThrowFailure(failure);
+    tetgenio in;
+    tetgenio out;
+    SetPoints(in, points);
+    failure = Run(switches, in, out);
+    if (failure.empty())
+    {
+      return OrientedTetrahedra(out);
+    }
   }
-  return OrientedTetrahedra(out);
+  ThrowFailure(failure);
 }
 
 std::vector<Tetrahedron>
