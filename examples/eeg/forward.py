@@ -20,6 +20,7 @@ The potential is split in that of the dipole in an unbounded conductor, which is
 is solved for ("full subtraction"). The dipole should be a few millimeters from the next change of conductivity.
 """
 
+import json
 import pathlib
 import shutil
 import subprocess
@@ -29,6 +30,17 @@ import pyvista
 import skfem
 from scipy.sparse.linalg import LinearOperator, cg
 from skfem.helpers import dot, grad
+
+
+# of the synthetic head, in mm, LPS
+FIDUCIALS = {"nasion": [0, -95, -10], "inion": [0, 99, -10], "left": [79, 0, -10], "right": [-79, 0, -10]}
+
+
+def write_electrodes(name, electrodes, fiducials=None):
+    """The file of electrodes that stand at sites, by the fiducials of another JSON file or those of the synthetic head."""
+    places = json.loads(pathlib.Path(fiducials).read_text()) if fiducials else FIDUCIALS
+    name.write_text(json.dumps({"space": "LPS", "fiducials": places, "electrodes": electrodes}, indent=1))
+    return places
 
 
 def find_program(name, program=None):

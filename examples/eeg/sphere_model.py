@@ -46,7 +46,8 @@ def surface_potential(points, position, moment, radii, conductivities, order=120
     """The potential in V at points of the outermost sphere around 0, with mean 0 over the sphere.
 
     points: (N, 3) in m; position in m, within the innermost sphere but not 0; moment in A m; radii in m and
-    conductivities in S/m from the inside out. For many dipoles position and moment are (M, 3), and the result (M, N)."""
+    conductivities in S/m from the inside out. For many dipoles position and moment are (M, 3), and the result (M, N).
+    """
     orders = np.arange(1, order + 1)
     radius = radii[-1]
     eccentricity = np.linalg.norm(position, axis=-1, keepdims=True)

@@ -16,7 +16,7 @@
 #
 """Runs an example on the head phantom at 4 mm, or on spheres at 4 mm, and checks what it says and leaves.
 
-usage: run-example.py {surfaces,shells,head,spheres,tdcs,cohort} FOLDER_OF_PROGRAMS
+usage: run-example.py {surfaces,shells,head,lead_field,spheres,tdcs,cohort} FOLDER_OF_PROGRAMS
 """
 
 import csv
@@ -77,6 +77,16 @@ def head():
     least, largest = map(float, re.search(r"potential on the skin: (\S+) to (\S+)", text).groups())
     assert -20 < least < -0.1 and 0.1 < largest < 20, (least, largest)
     check_pictures("out/head-eeg.png")
+
+
+def lead_field():
+    """MNE-Python reads what it leaves, and the lead field is that of a solution for a dipole, as far as 4 mm allow."""
+    text = run(sys.executable, examples / "eeg/lead_field.py", make_phantom(), "--distance", "12")
+    electrodes, sources = map(int, re.search(r"^(\d+) electrodes, (\d+) sources", text, re.M).groups())
+    assert electrodes == 64 and 300 < sources < 3000, (electrodes, sources)
+    error = float(re.search(r"mm: (\S+) % from a solution for it alone", text)[1])
+    assert error < 25, error
+    check_pictures("out/lead-field.png")
 
 
 def spheres():
