@@ -268,15 +268,14 @@ private:
     this->Add(electrode, solid, electrode.label, hidden);
   }
 
-  /** What is told of the implant that a contact is a part of. */
+  /** What is told of the implant that a contact is a part of, the last one before it with that label. */
   ElectrodeReport &
   BodyOf(const Electrode & contact)
   {
-    const auto last = std::prev(m_Placed.reports.end());
-    const auto found = std::find_if(m_Placed.reports.begin(), last, [&](const ElectrodeReport & report) {
-      return report.label == *contact.bodyLabel;
-    });
-    if (found == last)
+    const auto found = std::find_if(std::next(m_Placed.reports.rbegin()),
+                                    m_Placed.reports.rend(),
+                                    [&](const ElectrodeReport & report) { return report.label == *contact.bodyLabel; });
+    if (found == m_Placed.reports.rend())
     {
       ElectrodeChecks::Fail(
         contact, "", "there is no implant before it with the label ", *contact.bodyLabel, " of its body");
