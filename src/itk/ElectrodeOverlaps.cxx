@@ -94,8 +94,9 @@ ReportCovered(const std::vector<Electrode> & electrodes, PlacedElectrodes & plac
     const auto & distances = placed.surfaces.distances;
     for (std::size_t other = 0; other < n; ++other)
     {
-      const bool isItsBody = electrodes[n].bodyLabel == electrodes[other].label;
-      if (!isItsBody && Overlap(distances[surface], distances[bodies[other]]))
+      // a contact is where its body is, and hides nothing else
+      const bool isContact = electrodes[n].bodyLabel || electrodes[other].bodyLabel;
+      if (!isContact && Overlap(distances[surface], distances[bodies[other]]))
       {
         placed.reports[n].covered.push_back(electrodes[other].name);
       }

@@ -29,7 +29,7 @@ namespace mmm
 std::vector<Electrode>
 WithBodies(std::vector<Electrode> electrodes);
 
-/** Tells in the reports which electrodes hide a part of which earlier ones, other than their bodies. */
+/** Tells in the reports which electrodes hide a part of which earlier ones; contacts are left to their bodies. */
 void
 ReportCovered(const std::vector<Electrode> & electrodes, PlacedElectrodes & placed);
 } // namespace mmm

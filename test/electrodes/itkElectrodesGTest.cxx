@@ -266,6 +266,27 @@ TEST(Electrodes, ContactsOfALeadHaveTheirAreaAndDoNotTouch)
   }
 }
 
+TEST(Electrodes, LeadsThatCrossSaySoOnce)
+{
+  const auto image = mmmtest::MakeHalves<LabelImage>(40, 15.0);
+  image->SetSpacing(std::vector<double>(3, 0.6).data());
+  const auto filter = FilterType::New();
+  filter->SetInput(image);
+  const auto dimensions = mmm::LeadDimensionsOf("Medtronic 3389");
+  auto       list = mmm::MakeLead("one", 51, 50, At({ 11.0, 12.0, 7.0 }), At({ 13.0, 9.0, 19.0 }), dimensions);
+  const auto other = mmm::MakeLead("other", 61, 60, At({ 7.0, 11.0, 11.0 }), At({ 18.0, 11.0, 11.0 }), dimensions);
+  list.insert(list.end(), other.begin(), other.end());
+  filter->SetElectrodes({ list, {} });
+  filter->SetSurfaceOnly(true);
+  filter->Update();
+  std::vector<std::string> covered;
+  for (const auto & report : filter->GetElectrodeReports())
+  {
+    covered.insert(covered.end(), report.covered.begin(), report.covered.end());
+  }
+  EXPECT_EQ(covered, std::vector<std::string>{ "one" });
+}
+
 TEST(Electrodes, CylindersThatArePartsOfAnEarlierOneAreItsContacts)
 {
   Electrode shaft;
