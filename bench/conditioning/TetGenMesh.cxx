@@ -134,15 +134,19 @@ Tetrahedralize(Input & input, std::string switches)
 void
 Write(const Input & input, const std::vector<mmm::Tetrahedron> & tetrahedra, const std::string & fileName)
 {
-  const auto             materials = mmm::LabelByInterfaces(input.interfaces, tetrahedra, input.outside);
+  const auto materials = mmm::LabelByInterfaces(input.interfaces, tetrahedra, input.outside);
+  if (!materials)
+  {
+    itkGenericExceptionMacro("TetGen lost triangles of the surface.");
+  }
   itk::TetrahedronArrays inside;
   inside.points = mmm::ToPoints(input.points);
   for (std::size_t t = 0; t < tetrahedra.size(); ++t)
   {
-    if (materials[t] != input.outside)
+    if ((*materials)[t] != input.outside)
     {
       inside.tetrahedra.push_back(tetrahedra[t]);
-      inside.labels.push_back(input.labels[materials[t]]);
+      inside.labels.push_back(input.labels[(*materials)[t]]);
     }
   }
   const auto mesh = Mesh::New();
