@@ -40,7 +40,8 @@ ElectrodeSurfaces::ElectrodeSurfaces(LabelMeshingInputs & inputs, std::vector<El
   const auto      composed = ComposeLabels(inputs.labels, surfaces);
   auto            placed = PlaceElectrodes(inputs.electrodes, composed, exterior, sizes);
   sizes.insert(placed.sizes.begin(), placed.sizes.end());
-  inputs.labels = CopyRegion(inputs.labels.GetPointer(), placed.region, exterior.front());
+  // without exterior there are implants only, which do not go beyond the image
+  inputs.labels = CopyRegion(inputs.labels.GetPointer(), placed.region, exterior.empty() ? 0 : exterior.front());
   reports = std::move(placed.reports);
 
   const auto append = [](const auto & from, auto & to) { to.insert(to.end(), from.begin(), from.end()); };
@@ -48,6 +49,20 @@ ElectrodeSurfaces::ElectrodeSurfaces(LabelMeshingInputs & inputs, std::vector<El
   append(placed.surfaces.distances, surfaces.distances);
   append(placed.surfaces.labels, surfaces.labels);
   append(placed.surfaces.replaced, surfaces.replaced);
+}
+
+void
+ElectrodeSurfaces::VerifyVisible(const SurfaceInputs & surfaces, const LabelImage * composed) const
+{
+  const auto counts = CountLabels(composed);
+  for (std::size_t k = m_First; k < surfaces.labels.size(); ++k)
+  {
+    if (counts.count(surfaces.labels[k]) == 0)
+    {
+      itkGenericExceptionMacro("The electrode of label " << surfaces.labels[k]
+                                                         << " is covered by later ones; put it after them.");
+    }
+  }
 }
 
 void

@@ -437,6 +437,20 @@ TEST(Electrodes, StandOnHeadsThatTheImageCuts)
   }
 }
 
+TEST(Electrodes, ThatLaterOnesCoverAreRefused)
+{
+  Electrode small;
+  small.label = 3;
+  small.shape = ElectrodeShape::Sphere;
+  small.position = At(Middle);
+  small.radius = 2.0;
+  Electrode large = small;
+  large.label = 4;
+  large.radius = 4.0;
+  const auto filter = MakeFilter({ small, large });
+  mmmtest::ExpectException([&] { filter->Update(); }, "The electrode of label 3 is covered by later ones");
+}
+
 TEST(Electrodes, ThatCannotBePlacedAreRefused)
 {
   const auto expect = [](const Electrode & electrode, const std::string & words) {
