@@ -50,6 +50,18 @@ def test_a_disc_has_its_contact_area(tmp_path):
     assert set(labels_of(mesher.GetOutput())) == {1, 101}
 
 
+def test_a_dictionary_is_taken_as_a_file_is(tmp_path):
+    name = write(tmp_path / "cap.json")
+    electrodes = json.loads(open(name).read())
+    electrodes["electrodes"][0]["position"] = np.array([0.0, 0.0, 13.0])
+    meshes = [itk.multimaterial_mesh(make_ball(), electrodes=given) for given in (name, electrodes)]
+    assert meshes[1].names == {101: "Cz"}
+    assert np.array_equal(meshes[0].points, meshes[1].points)
+    electrodes["electrodes"][0]["radius"] = -1
+    with pytest.raises(RuntimeError, match=r"electrodes\[0\].radius: -1 mm is not positive"):
+        itk.multimaterial_mesh(make_ball(), electrodes=electrodes)
+
+
 def test_reports_have_the_electrodes(tmp_path):
     files = [str(tmp_path / "report.json"), str(tmp_path / "report.html")]
     for file in files:

@@ -16,8 +16,10 @@
 #
 """Labels and options, however one has them, as what the wrapped filters take."""
 
+import json
 import numbers
 import os
+import tempfile
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -138,6 +140,18 @@ def set_option(mesher: Any, name: str, value: Any) -> None:
         kinds = {bool: "True or False", int: "a whole number, at least 0,", float: "a number"}
         kind = kinds.get(type(known), "an itk.Image of the right type of pixels" if known is None else "another type")
         raise TypeError(f"{name} is {value!r}, of type {type(value).__name__}; {kind} is taken.") from None
+
+
+def set_electrodes(mesher: Any, electrodes: Any) -> None:
+    """Take a file of electrodes, or what is in one as a dictionary, of numbers that may be NumPy's."""
+    if not isinstance(electrodes, Mapping):
+        mesher.SetElectrodes(os.fspath(electrodes))
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "electrodes.json")
+        with open(name, "w", encoding="utf-8") as file:
+            json.dump(electrodes, file, default=lambda value: value.tolist())
+        mesher.SetElectrodes(name)
 
 
 def _as_spacing(spacing: Any) -> list[float]:

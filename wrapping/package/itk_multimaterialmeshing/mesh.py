@@ -228,6 +228,7 @@ def multimaterial_mesh(
     label_sizes: str | Mapping[int, float | Mapping[str, float]] | None = None,
     refine_by: str | os.PathLike[str] | tuple["MultiMaterialMesh", Any] | None = None,
     refine_factor: float = 2.0,
+    electrodes: str | os.PathLike[str] | Mapping[str, Any] | None = None,
     seed: int = 1,
     surface_only: bool = False,
     names: str | os.PathLike[str] | Mapping[int, str] | None = None,
@@ -261,6 +262,8 @@ def multimaterial_mesh(
     refine_by : shorter edges where a solution has large errors: a mesh of the same labels and the error of each of its
         tetrahedra, at least 0, in any unit; or the name of a .vtu file with the cell data "error". Default: none.
     refine_factor : how many times as many tetrahedra refine_by is to give, above 1 and at most 64. Default: 2.
+    electrodes : electrodes and implants as exact shapes: the name of a JSON file, or a dictionary of what is in one, for
+        instance {"space": "LPS", "electrodes": [{"label": 101, "shape": "disc", ...}]}. Default: none.
     seed : another one gives another mesh of the same kind, at least 0. Default: 1.
     surface_only : leave out the interior, in about half the time: there are no tetrahedra. Default: False.
     names : what labels are called, by label, or the name of a file as of --names. Default: for the name of a file, what
@@ -268,8 +271,7 @@ def multimaterial_mesh(
     report : a file to write on what was meshed and what came out: a page to look at in a browser if the name ends with
         .html, else JSON. It has the labels' topology, too (compare_topology). Default: none.
     options : the other settings of itk.LabelImageToTetrahedralMeshFilter, by the names of its setters in lower case:
-        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, electrodes="cap.json",
-        element_order=2,
+        for instance accept_intensities=True, allow_vanished_labels=True, compare_topology=True, element_order=2,
         maximum_memory=8.0 (GB), maximum_number_of_tetrahedra=10**7, sizing_image=image, region_of_interest=mask with
         region_maximum_size=1.0.
 
@@ -317,6 +319,8 @@ def multimaterial_mesh(
         for name, value in settings.items():
             if value is not None:
                 _inputs.set_option(mesher, name, value)
+        if electrodes is not None:
+            _inputs.set_electrodes(mesher, electrodes)
         mesher.Update()
         for electrode in mesher.GetElectrodeReports():
             label_names.setdefault(electrode.label, electrode.name)
