@@ -153,7 +153,7 @@ def main():
     os.environ["PATH"] = programs + os.pathsep + os.environ["PATH"]
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        checks = (surfaces, shells, head, spheres, tdcs, cohort)
+        checks = (surfaces, shells, head, lead_field, spheres, tdcs, cohort)
         {check.__name__: check for check in checks}[example]()
         os.chdir("/")
 
