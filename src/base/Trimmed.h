@@ -22,12 +22,12 @@
 
 namespace mmm
 {
-/** A text without the blanks at its ends. */
+/** A text without such characters at its ends. */
 inline std::string
-Trimmed(const std::string & text)
+Trimmed(const std::string & text, const char * characters = " ")
 {
-  const auto first = text.find_first_not_of(' ');
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+  const auto first = text.find_first_not_of(characters);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(characters) + 1 - first);
 }
 } // namespace mmm
 

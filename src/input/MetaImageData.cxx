@@ -17,6 +17,7 @@
  *=========================================================================*/
 #include "input/MetaImageData.h"
 
+#include "base/Trimmed.h"
 #include "input/ImageChecks.h"
 #include "input/LabelValue.h"
 
@@ -48,24 +49,18 @@ struct Header
   }
 };
 
-std::string
-Stripped(const std::string & text)
-{
-  const auto first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 /** The lines "name = value", of which the one with the file of the data is the last. */
 Header
 ReadHeader(std::istream & stream)
 {
-  Header header;
+  constexpr const char * blanks = " \t\r";
+  Header                 header;
   for (std::string line; header.fields.count("ElementDataFile") == 0 && std::getline(stream, line);)
   {
     const auto separator = line.find_first_of("=:");
     if (separator != std::string::npos)
     {
-      header.fields[Stripped(line.substr(0, separator))] = Stripped(line.substr(separator + 1));
+      header.fields[Trimmed(line.substr(0, separator), blanks)] = Trimmed(line.substr(separator + 1), blanks);
     }
   }
   header.size = stream ? static_cast<std::uint64_t>(stream.tellg()) : 0;

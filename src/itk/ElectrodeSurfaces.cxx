@@ -52,20 +52,6 @@ ElectrodeSurfaces::ElectrodeSurfaces(LabelMeshingInputs & inputs, std::vector<El
 }
 
 void
-ElectrodeSurfaces::VerifyVisible(const SurfaceInputs & surfaces, const LabelImage * composed) const
-{
-  const auto counts = CountLabels(composed);
-  for (std::size_t k = m_First; k < surfaces.labels.size(); ++k)
-  {
-    if (counts.count(surfaces.labels[k]) == 0)
-    {
-      itkGenericExceptionMacro("The electrode of label " << surfaces.labels[k]
-                                                         << " is covered by later ones; put it after them.");
-    }
-  }
-}
-
-void
 ElectrodeSurfaces::Restore(const SurfaceInputs &         surfaces,
                            const LabelDomain &           domain,
                            LabelImage *                  labels,

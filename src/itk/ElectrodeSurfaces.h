@@ -34,10 +34,6 @@ public:
    * so that they are all in the image. */
   ElectrodeSurfaces(LabelMeshingInputs & inputs, std::vector<ElectrodeReport> & reports);
 
-  /** Throws itk::ExceptionObject if an electrode's label is nowhere in what the surfaces make of the labels. */
-  void
-  VerifyVisible(const SurfaceInputs & surfaces, const LabelImage * composed) const;
-
   /** Electrodes are no islands, however few voxels they have: gives them back to `labels`, of which islands were merged
    * and which begins where the domain does. */
   void

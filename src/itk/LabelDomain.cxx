@@ -43,6 +43,7 @@ LabelDomain::LabelDomain(const LabelMeshingInputs & inputs)
   {
     this->Extend(inputs.meshing.maximumMemory);
   }
+  this->VerifyElectrodes(inputs.electrodes);
   this->VerifyLabelSizes(inputs.sizing.options.labelSizes);
 }
 
@@ -61,6 +62,19 @@ LabelDomain::VerifyLabels() const
       }))
   {
     itkGenericExceptionMacro("All labels of the image are exterior: there is nothing to mesh.");
+  }
+}
+
+void
+LabelDomain::VerifyElectrodes(const Electrodes & electrodes) const
+{
+  for (const auto & entry : NamesOf(electrodes))
+  {
+    if (m_Counts.count(entry.first) == 0)
+    {
+      itkGenericExceptionMacro("The electrode of label " << entry.first
+                                                         << " is covered by later ones; put it after them.");
+    }
   }
 }
 

@@ -60,6 +60,8 @@ private:
   void
   VerifyMemory(const itk::ImageRegion<3> & region, double limit) const;
   void
+  VerifyElectrodes(const Electrodes & electrodes) const;
+  void
   VerifyLabelSizes(const LabelSizeRules & sizes) const;
 
   const LabelOptions       m_Options;

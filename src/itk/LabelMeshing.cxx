@@ -207,7 +207,6 @@ public:
     {
       surfaces.emplace(m_Inputs.surfaces, UniteExterior(m_Inputs));
       m_Inputs.labels = ComposeLabels(m_Inputs.labels, m_Inputs.surfaces).GetPointer();
-      electrodes.VerifyVisible(m_Inputs.surfaces, m_Inputs.labels);
     }
     auto               labels = this->Crop(this->MergeIslands(electrodes));
     const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());

@@ -20,6 +20,7 @@
 #include "itkTetrahedralMeshQualityCalculator.h"
 #include "itkVolumeFileReader.h"
 #include "support/TestDamage.h"
+#include "support/TestFiles.h"
 #include "support/TestLabelImages.h"
 #include "support/TestSeeds.h"
 
@@ -27,22 +28,11 @@
 #include "itkImageFileWriter.h"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace
 {
 using LabelImage = itk::Image<int, 3>;
 using Mesher = itk::LabelImageToTetrahedralMeshFilter<LabelImage>;
-
-std::string
-Contents(const std::string & fileName)
-{
-  std::ifstream      file(fileName, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /** The volumes of all tetrahedra of the file's mesh are positive, or it says why there is none. Returns whether there
  * is one. */
@@ -82,9 +72,9 @@ TEST_P(DamagedImages, GiveAMeshOrSayWhyNot)
   const std::string name = ::testing::TempDir() + "damaged-" + std::to_string(seed) + formats[seed % 4];
   itk::WriteImage(mmmtest::MakeBall<itk::Image<short, 3>>(8, 3.0), name);
   ASSERT_TRUE(IsMeshed(name));
-  const std::string whole = Contents(name);
+  const std::string whole = mmmtest::Content(name);
   std::mt19937      random(static_cast<unsigned int>(seed));
-  std::ofstream(name, std::ios::binary) << mmmtest::DamageAtRandom(whole, random);
+  mmmtest::Save(name, mmmtest::DamageAtRandom(whole, random));
   IsMeshed(name);
   std::filesystem::remove(name);
 }

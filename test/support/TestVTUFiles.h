@@ -22,6 +22,7 @@
 #undef ITK_IO_FACTORY_REGISTER_MANAGER
 
 #include "support/TestDamage.h"
+#include "support/TestFiles.h"
 #include "itkVTUMeshIO.h"
 
 #include "itkByteSwapper.h"
@@ -89,20 +90,8 @@ protected:
   std::filesystem::path m_Folder;
 };
 
-inline std::string
-Content(const std::string & name)
-{
-  std::ifstream     file(name, std::ios::binary);
-  std::stringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
-
-inline void
-Save(const std::string & name, const std::string & content)
-{
-  std::ofstream(name, std::ios::binary) << content;
-}
+using mmmtest::Content;
+using mmmtest::Save;
 
 inline bool
 Contains(const std::string & text, const std::string & part)
