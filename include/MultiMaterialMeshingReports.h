@@ -218,10 +218,10 @@ struct MeshingReport
   TopologyReport topology;
   /** Particles that no interface triangle uses; they are dropped. */
   std::size_t unusedParticles{ 0 };
-  /** Points that TetGen added to the interior to recover the interfaces. */
+  /** Particles of the interior that were left out as they were in the way of interfaces. */
+  std::size_t pointsLeftOut{ 0 };
+  /** Points that TetGen added to the interior to recover the interfaces, where that was necessary. */
   std::size_t steinerPoints{ 0 };
-  /** Whether TetGen could not recover the interfaces, and points of the interior that were in the way were left out. */
-  bool recoveryFailed{ false };
   /** What became worse than was asked for, in sentences; the filters give them out as warnings. */
   std::vector<std::string> warnings;
   OptimizationReport       optimization;

@@ -227,6 +227,7 @@ ToPython(const MeshingReport & report)
                          { "curving", ToPython(report.curving) },
                          { "particles", ToPython(report.particles) },
                          { "unused_particles", ToPython(report.unusedParticles) },
+                         { "points_left_out", ToPython(report.pointsLeftOut) },
                          { "steiner_points", ToPython(report.steinerPoints) } });
 }
 

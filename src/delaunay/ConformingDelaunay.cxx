@@ -17,28 +17,48 @@
  *=========================================================================*/
 #include "delaunay/ConformingDelaunay.h"
 
+#include "delaunay/EncroachingPoints.h"
+#include "delaunay/LocalRecovery.h"
 #include "delaunay/TetGen.h"
 #include "mesh/TriangleLookup.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 namespace mmm
 {
 namespace
 {
-/** Tries with fewer and fewer points; then all that may be left out are. */
-constexpr int Rounds = 10;
-/** By how much further each round looks for points in the way, in radii of the circumcircle. */
-constexpr double ReachGrowth = 0.3;
+/** The Delaunay tetrahedra of the points that are not left out. Points keep their numbers. */
+std::vector<Tetrahedron>
+TetrahedralizeOthers(const std::vector<Vector> & points, const std::vector<char> & isLeftOut)
+{
+  std::vector<PointId> used;
+  std::vector<Vector>  positions;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (!isLeftOut[p])
+    {
+      used.push_back(PointId(p));
+      positions.push_back(points[p]);
+    }
+  }
+  auto tetrahedra = DelaunayTetrahedralization(positions);
+  for (auto & t : tetrahedra)
+  {
+    for (auto & corner : t)
+    {
+      corner = used[corner];
+    }
+  }
+  return tetrahedra;
+}
 
-/** The triangles that are no faces of the tetrahedra. */
-std::vector<Triangle>
+/** Which triangles are no faces of the tetrahedra. */
+std::vector<char>
 FindMissing(const std::vector<Triangle> & triangles, const std::vector<Tetrahedron> & tetrahedra)
 {
   const TriangleLookup lookup(triangles);
-  std::vector<char>    found(triangles.size(), 0);
+  std::vector<char>    isMissing(triangles.size(), 1);
   for (const auto & corners : tetrahedra)
   {
     for (int f = 0; f < 4; ++f)
@@ -46,119 +66,28 @@ FindMissing(const std::vector<Triangle> & triangles, const std::vector<Tetrahedr
       const auto t = lookup.Find(FaceOf(corners, f));
       if (t != TriangleLookup::None)
       {
-        found[t] = 1;
+        isMissing[t] = 0;
       }
     }
   }
-  std::vector<Triangle> missing;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (!found[t])
-    {
-      missing.push_back(triangles[t]);
-    }
-  }
-  return missing;
+  return isMissing;
 }
-
-/** The ball around the circumcircle of a triangle. */
-struct Ball
-{
-  Vector centre;
-  double radius;
-};
-
-Ball
-SmallestBall(const Vector & a, const Vector & b, const Vector & c)
-{
-  const Vector u = b - a;
-  const Vector v = c - a;
-  const Vector n = u.cross(v);
-  const double square = n.squaredNorm();
-  if (!(square > 0.0))
-  {
-    return { (a + b + c) / 3.0, std::max(u.norm(), v.norm()) };
-  }
-  const Vector toCentre = (u.squaredNorm() * v.cross(n) + v.squaredNorm() * n.cross(u)) / (2.0 * square);
-  return { a + toCentre, toCentre.norm() };
-}
-
-/** Points sorted along x: those of a slab are found by bisection. */
-class PointsByX
-{
-public:
-  PointsByX(const std::vector<Vector> & points, const std::vector<PointId> & ids)
-    : m_Points(points)
-    , m_Ids(ids)
-  {
-    std::sort(m_Ids.begin(), m_Ids.end(), [&](PointId p, PointId q) { return points[p][0] < points[q][0]; });
-  }
-  template <typename TVisitor>
-  void
-  VisitBall(const Ball & ball, TVisitor && visit) const
-  {
-    auto p = std::lower_bound(m_Ids.begin(), m_Ids.end(), ball.centre[0] - ball.radius, [&](PointId id, double x) {
-      return m_Points[id][0] < x;
-    });
-    for (; p != m_Ids.end() && m_Points[*p][0] <= ball.centre[0] + ball.radius; ++p)
-    {
-      if ((m_Points[*p] - ball.centre).squaredNorm() <= ball.radius * ball.radius)
-      {
-        visit(*p);
-      }
-    }
-  }
-
-private:
-  const std::vector<Vector> & m_Points;
-  std::vector<PointId>        m_Ids;
-};
 } // namespace
 
-std::optional<std::size_t>
-ConformingTetrahedralization(const std::vector<Vector> &   points,
-                             std::size_t                   numberOfSurfacePoints,
+std::size_t
+ConformingTetrahedralization(const Grid &                  grid,
+                             std::size_t                   numberOfFixedPoints,
                              const std::vector<Triangle> & triangles,
+                             std::vector<Vector> &         points,
                              std::vector<Tetrahedron> &    tetrahedra)
 {
-  std::vector<PointId> used(points.size());
-  std::iota(used.begin(), used.end(), PointId(0));
-  for (int round = 0; round <= Rounds; ++round)
+  const auto isLeftOut = FindEncroachingPoints(grid, numberOfFixedPoints, triangles, points);
+  tetrahedra = TetrahedralizeOthers(points, isLeftOut);
+  const auto isMissing = FindMissing(triangles, tetrahedra);
+  if (std::find(isMissing.begin(), isMissing.end(), 1) != isMissing.end())
   {
-    if (round == Rounds)
-    {
-      used.resize(numberOfSurfacePoints);
-    }
-    std::vector<Vector> positions;
-    positions.reserve(used.size());
-    for (const auto p : used)
-    {
-      positions.push_back(points[p]);
-    }
-    tetrahedra = DelaunayTetrahedralization(positions);
-    const auto missing = FindMissing(triangles, tetrahedra);
-    if (missing.empty())
-    {
-      for (auto & t : tetrahedra)
-      {
-        for (auto & corner : t)
-        {
-          corner = used[corner];
-        }
-      }
-      return points.size() - used.size();
-    }
-    // the points of the surface stay in front, and keep their numbers
-    const PointsByX   others(points, std::vector<PointId>(used.begin() + numberOfSurfacePoints, used.end()));
-    std::vector<char> inTheWay(points.size(), 0);
-    for (const auto & t : missing)
-    {
-      Ball ball = SmallestBall(points[t[0]], points[t[1]], points[t[2]]);
-      ball.radius *= 1.0 + ReachGrowth * round;
-      others.VisitBall(ball, [&](PointId p) { inTheWay[p] = 1; });
-    }
-    used.erase(std::remove_if(used.begin(), used.end(), [&](PointId p) { return inTheWay[p] != 0; }), used.end());
+    RecoverLocally(triangles, isMissing, points, tetrahedra);
   }
-  return std::nullopt;
+  return std::size_t(std::count(isLeftOut.begin(), isLeftOut.end(), 1));
 }
 } // namespace mmm

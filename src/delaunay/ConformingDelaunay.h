@@ -18,22 +18,25 @@
 #ifndef mmmConformingDelaunay_h
 #define mmmConformingDelaunay_h
 
+#include "base/Grid.h"
 #include "mesh/TetrahedralMesh.h"
 
-#include <optional>
+#include <cstddef>
+#include <vector>
 
 namespace mmm
 {
-/** \brief Delaunay tetrahedra that have given triangles among their faces, for where the recovery of the triangles
- * fails.
+/** \brief Delaunay tetrahedra that have given triangles among their faces.
  *
- * The triangles come from the Delaunay tetrahedralization of the first `numberOfSurfacePoints` points. In that of all
- * points most of them are still there; where one is not, points in its way are left out, in the end all others. Points
- * keep their numbers. Returns how many were left out; nothing if some triangles are missing even so. */
-std::optional<std::size_t>
-ConformingTetrahedralization(const std::vector<Vector> &   points,
-                             std::size_t                   numberOfSurfacePoints,
+ * The triangles come from the Delaunay tetrahedralization of the first `numberOfFixedPoints` points. Those of the
+ * others that encroach upon a triangle are left out; points keep their numbers. What is missing even so is recovered
+ * locally, where points may be added at the end. Returns how many were left out.
+ * \throw TetGenFailure where that is not possible */
+std::size_t
+ConformingTetrahedralization(const Grid &                  grid,
+                             std::size_t                   numberOfFixedPoints,
                              const std::vector<Triangle> & triangles,
+                             std::vector<Vector> &         points,
                              std::vector<Tetrahedron> &    tetrahedra);
 } // namespace mmm
 

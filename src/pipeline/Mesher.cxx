@@ -116,44 +116,49 @@ SortPoints(MeshingResult & result)
   particles = std::move(kept);
 }
 
+/** Says which material each tetrahedron has. Returns false where triangles are no faces of tetrahedra. */
+bool
+LabelTetrahedra(Material exterior, MeshingResult & result)
+{
+  auto materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
+  if (materials)
+  {
+    result.tetrahedra.materials = std::move(*materials);
+  }
+  return materials.has_value();
+}
+
 /** The tetrahedra between the points that have the triangles among their faces, and their materials. The points after
  * the fixed ones may be left out. */
 void
-Tetrahedralize(std::size_t numberOfFixedPoints, Material exterior, MeshingResult & result)
+Tetrahedralize(const Grid & grid, std::size_t numberOfFixedPoints, Material exterior, MeshingResult & result)
 {
   const auto &      triangles = result.interfaces.triangles;
+  auto &            tetrahedra = result.tetrahedra.tetrahedra;
   const std::size_t numberOfPoints = result.points.size();
-  const auto        label = [&]() {
-    auto materials = LabelByInterfaces(result.interfaces, result.tetrahedra.tetrahedra, exterior);
-    if (!materials)
+  bool              isLabelled = false;
+  try
+  {
+    result.report.pointsLeftOut =
+      ConformingTetrahedralization(grid, numberOfFixedPoints, triangles, result.points, tetrahedra);
+    isLabelled = LabelTetrahedra(exterior, result);
+  }
+  catch (const TetGenFailure &)
+  {
+    isLabelled = false;
+  }
+  if (!isLabelled)
+  {
+    result.report.pointsLeftOut = 0;
+    result.points.resize(numberOfPoints);
+    tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+    if (!LabelTetrahedra(exterior, result))
     {
       // TetGen 1.5.0 does not always say so
       throw TetGenFailure(__FILE__, __LINE__, "TetGen lost triangles of the surface.", "");
     }
-    result.tetrahedra.materials = std::move(*materials);
-  };
-  try
-  {
-    result.tetrahedra.tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
-    label();
-    result.report.steinerPoints = result.points.size() - numberOfPoints;
   }
-  catch (const TetGenFailure &)
-  {
-    result.report.recoveryFailed = true;
-    result.points.resize(numberOfPoints);
-    const auto leftOut =
-      ConformingTetrahedralization(result.points, numberOfFixedPoints, triangles, result.tetrahedra.tetrahedra);
-    if (!leftOut)
-    {
-      throw;
-    }
-    label();
-    result.report.warnings.push_back(
-      "TetGen could not recover the interfaces with all points around them: " + std::to_string(*leftOut) +
-      " points of the interior beside them were left out, and elements there are larger "
-      "than was asked for.");
-  }
+  result.report.steinerPoints = result.points.size() - numberOfPoints;
 }
 
 /** Where only the surface is wanted, tetrahedra are there to keep it free of intersections while its triangles improve:
@@ -276,7 +281,7 @@ BuildMesh(const IndicatorSet &      indicators,
   result.points.insert(result.points.end(), all.positions.begin() + particles.Size(), all.positions.end());
   try
   {
-    Tetrahedralize(numberOfFixedPoints, exterior, result);
+    Tetrahedralize(indicators.GetGrid(), numberOfFixedPoints, exterior, result);
   }
   catch (TetGenFailure & error)
   {

@@ -163,8 +163,8 @@ MakeRepairTable(const MeshingReport & report)
   table.AddRow({ "points where they did not, found", CountHTML(report.links.points) });
   table.AddRow({ "tetrahedra that got another label to mend them", CountHTML(report.links.relabelled) });
   table.AddRow({ "particles without triangle, dropped", CountHTML(report.unusedParticles) });
+  table.AddRow({ "interior points left out beside interfaces", CountHTML(report.pointsLeftOut) });
   table.AddRow({ "points added by TetGen", CountHTML(report.steinerPoints) });
-  table.AddRow({ "interior points left out for TetGen", report.recoveryFailed ? "yes" : "no" });
   const OptimizationReport & optimization = report.optimization;
   table.AddRow({ "rounds of the optimizer", CountHTML(std::size_t(optimization.rounds)) });
   table.AddRow({ "its moves of points", CountHTML(optimization.moves) });

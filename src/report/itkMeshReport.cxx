@@ -74,8 +74,8 @@ CountSection(const itk::MeshFacts & facts)
   section.Add("particles_on_2_cells", report.particles[2]);
   section.Add("particles_in_the_interior", report.particles[3]);
   section.Add("unused_particles", report.unusedParticles);
+  section.Add("points_left_out", report.pointsLeftOut);
   section.Add("steiner_points", report.steinerPoints);
-  section.Add("facet_recovery_failed", report.recoveryFailed);
   section.Add("surface_points", facts.surface->GetNumberOfPoints());
   section.Add("triangles", facts.surface->GetNumberOfCells());
   section.Add("points", facts.tetrahedra->GetNumberOfPoints());

@@ -15,7 +15,6 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-#include "delaunay/ConformingDelaunay.h"
 #include "delaunay/Enclosure.h"
 #include "mesh/InterfaceMesh.h"
 #include "surface/LostNodes.h"
@@ -221,33 +220,6 @@ TEST(InterfaceMesh, TellsNothingOfTetrahedraThatLackATriangle)
   const std::vector<mmm::Tetrahedron> tetrahedra{ { { 0, 1, 2, 3 } } };
   const mmm::InterfaceMesh interfaces{ { { { 0, 2, 1 } }, { { 1, 2, 4 } } }, { { { 0, 1 } }, { { 0, 1 } } } };
   EXPECT_FALSE(mmm::LabelByInterfaces(interfaces, tetrahedra, 2));
-}
-
-TEST(ConformingTetrahedralization, LeavesPointsOutThatAreInTheWayOfTriangles)
-{
-  // a point just above the middle of a triangle, and one just below it
-  auto                             points = BoxPoints(4.0);
-  const auto                       tetrahedra = mmm::DelaunayTetrahedralization(points);
-  const std::vector<mmm::Triangle> triangles{ { { tetrahedra[0][0], tetrahedra[0][1], tetrahedra[0][2] } } };
-  const Vector                     a = points[triangles[0][0]];
-  const Vector                     b = points[triangles[0][1]];
-  const Vector                     c = points[triangles[0][2]];
-  const Vector                     normal = (b - a).cross(c - a).normalized();
-  points.push_back((a + b + c) / 3.0 + 0.05 * normal);
-  points.push_back((a + b + c) / 3.0 - 0.05 * normal);
-  std::vector<mmm::Tetrahedron> conforming;
-  ASSERT_GT(mmm::ConformingTetrahedralization(points, 8, triangles, conforming).value_or(0), 0u);
-  bool found = false;
-  for (const auto & t : conforming)
-  {
-    int corners = 0;
-    for (const auto corner : triangles[0])
-    {
-      corners += std::count(t.begin(), t.end(), corner);
-    }
-    found = found || corners == 3;
-  }
-  EXPECT_TRUE(found);
 }
 
 TEST(DelaunayTetrahedralization, RefusesPointsInOnePlane)

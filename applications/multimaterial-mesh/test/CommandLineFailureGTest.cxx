@@ -18,6 +18,7 @@
 // What becomes of files when the program cannot finish. The means to make it fail are those of POSIX.
 #include "CommandLineTest.h"
 
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -151,50 +152,59 @@ TEST_F(CommandLineFailure, OutOfMemory)
 }
 
 #ifdef FAILING_TETGEN
-TEST_F(CommandLineFailure, SurfaceIsKeptIfTetGenFails)
+namespace
 {
-  const auto labels = this->WriteBalls();
-  ExpectOneLine(RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu") }),
+/** TetGen's last call is that for the mesh, of which the others are the surface's. */
+class CommandLineTetGen : public CommandLineFailure
+{
+public:
+  /** Runs the program; its last call of TetGen fails, and what comes after that. */
+  RunResult
+  RunWithFailure(const std::string & environment, const std::vector<std::string> & options) const
+  {
+    std::vector<std::string> arguments{ this->WriteBalls(), this->Path("out.vtu") };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const std::string preload = "export LD_PRELOAD='" FAILING_TETGEN "' ";
+    EXPECT_EQ(RunAfter(preload + "COUNT='" + this->Path("count") + "'", arguments).exitCode, 0);
+    const std::string count = this->Contents("count");
+    std::filesystem::remove(this->Path("count"));
+    std::filesystem::remove(this->Path("out.vtu"));
+    return RunAfter(preload + "FAIL_AT=" + count + " " + environment, arguments);
+  }
+};
+} // namespace
+
+TEST_F(CommandLineTetGen, SurfaceIsKeptIfItFails)
+{
+  ExpectOneLine(this->RunWithFailure("", {}),
                 "the surface is kept for inspection in " + this->Path("out-surface-for-inspection.vtu"));
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out-surface-for-inspection.vtu" }));
 }
 
-TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForAMesh)
+TEST_F(CommandLineTetGen, MeshIsMadeByRecoveryIfOtherwiseThereIsNone)
 {
-  const auto labels = this->WriteBalls();
-  const auto result =
-    RunAfter("export FAIL_ONCE=1 LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu"), "--quiet" });
-  ExpectOneWarning(result, "points of the interior beside them were left out");
+  const auto result = this->RunWithFailure("FAIL_ONCE=1", { "--quiet" });
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.error, "");
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
 }
 
-TEST_F(CommandLineFailure, FacetRecoveryIsNotNeededForASurface)
+TEST_F(CommandLineTetGen, IsNotNeededForASurface)
 {
-  const auto labels = this->WriteBalls();
-  const auto result =
-    RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu"), "--surface-only", "--quiet" });
-  ExpectOneWarning(result, "the surface was not improved");
+  ExpectOneWarning(this->RunWithFailure("", { "--surface-only", "--quiet" }), "the surface was not improved");
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
 }
 
-TEST_F(CommandLineFailure, TetGenOutOfMemory)
+TEST_F(CommandLineTetGen, OutOfMemory) { ExpectOneLine(this->RunWithFailure("OUT_OF_MEMORY=1", {}), "memory"); }
+
+TEST_F(CommandLineTetGen, OutOfMemoryWhereOnlyTheSurfaceIsWanted)
 {
-  const auto labels = this->WriteBalls();
-  ExpectOneLine(RunAfter("export OUT_OF_MEMORY=1 LD_PRELOAD='" FAILING_TETGEN "'", { labels, this->Path("out.vtu") }),
-                "memory");
+  ExpectOneLine(this->RunWithFailure("OUT_OF_MEMORY=1", { "--surface-only" }), "memory");
 }
 
-TEST_F(CommandLineFailure, TetGenOutOfMemoryWhereOnlyTheSurfaceIsWanted)
+TEST_F(CommandLineTetGen, WordsOfItsOwnArePassedOn)
 {
-  const auto labels = this->WriteBalls();
-  ExpectOneLine(RunAfter("export OUT_OF_MEMORY=1 LD_PRELOAD='" FAILING_TETGEN "'",
-                         { labels, this->Path("out.vtu"), "--surface-only" }),
-                "memory");
-}
-
-TEST_F(CommandLineFailure, TetGensOwnWordsArePassedOn)
-{
-  const auto result = RunAfter("export LD_PRELOAD='" FAILING_TETGEN "'", { this->WriteBalls(), this->Path("out.vtu") });
+  const auto result = this->RunWithFailure("", {});
   EXPECT_NE(result.error.find("A self-intersection was detected"), std::string::npos) << result.error;
 }
 #endif

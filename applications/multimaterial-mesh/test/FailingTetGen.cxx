@@ -15,24 +15,30 @@
  *  limitations under the License.
  *
  *=========================================================================*/
-// Stands before the real TetGen where LD_PRELOAD says so. It fails where facets are to be recovered, and from then on;
-// with FAIL_ONCE in the environment only there. With OUT_OF_MEMORY there is no memory.
+// Stands before the real TetGen where LD_PRELOAD says so. It fails from the call with the number FAIL_AT on, which
+// counts from 1; with FAIL_ONCE in the environment only there. With OUT_OF_MEMORY there is no memory. The number of
+// calls goes to the file COUNT.
 #include <tetgen.h>
 
 #include <dlfcn.h>
 
 #include <cstdlib>
-#include <cstring>
+#include <fstream>
 #include <new>
 
 void
 tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin, tetgenio * bgmin)
 {
-  static bool failed = false;
-  const bool  recovery = std::strchr(switches, 'p') != nullptr;
-  if (recovery || (failed && std::getenv("FAIL_ONCE") == nullptr))
+  static int calls = 0;
+  ++calls;
+  if (const char * const file = std::getenv("COUNT"))
   {
-    failed = true;
+    std::ofstream(file) << calls;
+  }
+  const char * const failAt = std::getenv("FAIL_AT");
+  const int          first = failAt ? std::atoi(failAt) : calls + 1;
+  if (std::getenv("FAIL_ONCE") ? calls == first : calls >= first)
+  {
     if (std::getenv("OUT_OF_MEMORY"))
     {
       throw std::bad_alloc();
