@@ -116,9 +116,9 @@ struct MeshingOptions
    * region, see MeshingReport::topology. */
   bool compareTopology{ false };
   /** How many tetrahedra the mesh is to have, within 5 %; 0 leaves it to the sizes. Where more are wanted, all edge
-   * lengths are shortened alike. Where fewer are wanted, the mesh is coarsened: the shortest edges, by what is asked for
-   * there, are pulled together as long as the labels' connections, their interfaces and the shape of tetrahedra allow
-   * it; if they do not, there are more, which is a warning. */
+   * lengths are shortened alike. Where fewer are wanted, the mesh is coarsened: the shortest edges, by what is asked
+   * for there, are pulled together as long as the labels' connections, their interfaces and the shape of tetrahedra
+   * allow it; if they do not, there are more, which is a warning. */
   std::size_t numberOfTetrahedra{ 0 };
   /** Meshes that are expected to have more tetrahedra, or to need more memory, in GB (2^30 bytes), positive, are
    * refused. */
@@ -158,6 +158,8 @@ struct LabelOptions
   double airMargin{ Automatic };
   /** Components of a label with fewer voxels go to the neighbor that they touch most; 0 and 1 keep all. */
   std::size_t minimumIslandSize{ 8 };
+  /** Leave slices that are at least four times as thick as voxels are wide as they are, rather than divide them. */
+  bool keepSlices{ false };
   /** The radius of tightening, which rounds what is smaller, at least 0; 0 keeps the voxels' steps. Automatic: 0.5 of
    * the smallest voxel spacing. */
   double       radius{ Automatic };

@@ -169,6 +169,7 @@ private:
     this->Add("FillExterior", m_Filter.GetFillExterior());
     this->Add("AirMargin", m_Filter.GetAirMargin());
     this->Add("MinimumIslandSize", m_Filter.GetMinimumIslandSize());
+    this->Add("KeepSlices", m_Filter.GetKeepSlices());
     this->Add("Radius", m_Filter.GetRadius());
     this->Add("TopologyMode", mmm::ToText(m_Filter.GetTopologyMode()));
     this->Add("Epsilon", m_Filter.GetEpsilon());

@@ -193,6 +193,13 @@ public:
   itkGetConstMacro(AllowVanishedLabels, bool);
   itkBooleanMacro(AllowVanishedLabels);
 
+  /** Whether slices that are at least four times as thick as voxels are wide stay as they are. Otherwise each becomes
+   * as many as there are widths in its thickness, with shapes that change evenly from slice to slice, and images that
+   * are kept have these. Not where there are surfaces or functions. Default: false. */
+  itkSetMacro(KeepSlices, bool);
+  itkGetConstMacro(KeepSlices, bool);
+  itkBooleanMacro(KeepSlices);
+
   /** Keep the indicator images and the sizing image, see GetIndicatorImage(). Default: false. */
   itkSetMacro(KeepIntermediates, bool);
   itkGetConstMacro(KeepIntermediates, bool);
@@ -313,6 +320,7 @@ private:
   double            m_Radius{ Superclass::Automatic };
   mmm::TopologyMode m_TopologyMode{ mmm::TopologyMode::Automatic };
   bool              m_AllowVanishedLabels{ false };
+  bool              m_KeepSlices{ false };
   bool              m_KeepIntermediates{ false };
 
   mmm::LabelMeshingResults m_Results;

@@ -120,6 +120,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::GetInputs() const
   inputs.options.airMargin = m_AirMargin;
   inputs.acceptIntensities = m_AcceptIntensities;
   inputs.options.minimumIslandSize = m_MinimumIslandSize;
+  inputs.options.keepSlices = m_KeepSlices;
   inputs.options.radius = m_Radius;
   inputs.options.topologyMode = m_TopologyMode;
   inputs.options.allowVanishedLabels = m_AllowVanishedLabels;
@@ -180,6 +181,7 @@ LabelImageToTetrahedralMeshFilter<TLabelImage, TOutputMesh>::PrintSelf(std::ostr
   os << indent << "AirMargin: " << m_AirMargin << std::endl;
   os << indent << "AcceptIntensities: " << (m_AcceptIntensities ? "On" : "Off") << std::endl;
   os << indent << "MinimumIslandSize: " << m_MinimumIslandSize << std::endl;
+  os << indent << "KeepSlices: " << (m_KeepSlices ? "On" : "Off") << std::endl;
   os << indent << "Radius: " << m_Radius << std::endl;
   os << indent << "TopologyMode: " << mmm::ToText(m_TopologyMode) << std::endl;
   os << indent << "AllowVanishedLabels: " << (m_AllowVanishedLabels ? "On" : "Off") << std::endl;

@@ -26,6 +26,7 @@
 #include "itk/IndicatorSizing.h"
 #include "itk/LabelDomain.h"
 #include "itk/LabelIslands.h"
+#include "itk/LabelSlices.h"
 #include "itk/LabelSmoothing.h"
 #include "itk/SizingImage.h"
 #include "itk/SizingOptions.h"
@@ -201,6 +202,7 @@ public:
       // all exterior is one material, with the first of its labels if there is any of that
       label = Contains(m_Inputs.options.exteriorLabels, label) ? m_Inputs.options.exteriorLabels.front() : label;
     }
+    const LabelSlices             slices(m_Inputs, m_Monitor);
     const ElectrodeSurfaces       electrodes(m_Inputs, m_Results.electrodes);
     std::optional<SurfaceOverlay> surfaces;
     if (!m_Inputs.surfaces.labels.empty())
@@ -208,7 +210,7 @@ public:
       surfaces.emplace(m_Inputs.surfaces, UniteExterior(m_Inputs));
       m_Inputs.labels = ComposeLabels(m_Inputs.labels, m_Inputs.surfaces).GetPointer();
     }
-    auto               labels = this->Crop(this->MergeIslands(electrodes));
+    auto               labels = this->Crop(this->MergeIslands(electrodes, slices));
     const GridGeometry geometry(m_Domain, m_Domain->GetLargestPossibleRegion());
 
     m_Monitor.BeginStage("indicators");
@@ -236,6 +238,10 @@ public:
       }
     };
     MeshIndicators(inputs, release, NoteLabels(m_Outputs, meshed), m_State, m_Monitor);
+    if (slices.AreDivided())
+    {
+      m_State.report.warnings.push_back(slices.Describe());
+    }
     if (m_Inputs.meshing.surfaceOnly)
     {
       for (const auto & sides : m_Outputs.surface->GetCellData()->CastToSTLConstContainer())
@@ -263,21 +269,22 @@ public:
       }
       RestoreGeometry(m_Domain, geometry.GetUnit(), sizing);
       m_Results.indicatorImages = std::move(indicators);
-      m_Results.sizingImage = ExtendRegion(sizing.GetPointer(), m_Results.meshedRegion);
+      m_Results.sizingImage = ExtendRegion(sizing.GetPointer(), m_Region);
     }
   }
 
 private:
   /** In the grid's geometry. The input is not needed any more. */
   LabelImage::Pointer
-  MergeIslands(const ElectrodeSurfaces & electrodes)
+  MergeIslands(const ElectrodeSurfaces & electrodes, const LabelSlices & slices)
   {
     const LabelDomain domain(m_Inputs);
     m_Counts = domain.GetCounts();
-    m_Results.meshedRegion = domain.GetImage()->GetLargestPossibleRegion();
-    m_Domain = GeometryOf(domain.GetImage(), m_Results.meshedRegion);
+    m_Region = domain.GetImage()->GetLargestPossibleRegion();
+    m_Results.meshedRegion = slices.ToImage(m_Region);
+    m_Domain = GeometryOf(domain.GetImage(), m_Region);
     m_Inputs.labels = nullptr;
-    const GridGeometry geometry(m_Domain, m_Results.meshedRegion);
+    const GridGeometry geometry(m_Domain, m_Region);
     auto               labels = itk::CopyToIntegers(InGrid(domain.GetImage(), geometry).GetPointer());
     MergeLabelIslands(m_Inputs.options.exteriorLabels,
                       m_Inputs.options.minimumIslandSize,
@@ -286,6 +293,11 @@ private:
                       m_Results.absentExteriorLabels,
                       m_Monitor);
     electrodes.Restore(m_Inputs.surfaces, domain, labels, m_Results.islandRecords);
+    slices.Restore(m_Results.islandRecords, m_Results.absentExteriorLabels);
+    for (auto & entry : m_Counts)
+    {
+      entry.second = slices.ToImage(entry.second);
+    }
     for (const auto & entry : CountLabels(labels))
     {
       m_Results.labels.push_back(entry.first);
@@ -312,7 +324,7 @@ private:
     const auto part = CopyRegion(labels, region, exterior);
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      region.SetIndex(axis, region.GetIndex(axis) + m_Results.meshedRegion.GetIndex(axis));
+      region.SetIndex(axis, region.GetIndex(axis) + m_Region.GetIndex(axis));
     }
     m_Domain = GeometryOf(m_Domain, region);
     return InGrid(part.GetPointer(), GridGeometry(m_Domain, region));
@@ -339,6 +351,7 @@ private:
   LabelMeshingResults &      m_Results;
   FilterMonitor &            m_Monitor;
   itk::ImageBase<3>::Pointer m_Domain;
+  itk::ImageRegion<3>        m_Region; // of the domain as a whole
   LabelCounts                m_Counts;
 };
 } // namespace

@@ -276,6 +276,7 @@ SETTINGS = {
     "fill_exterior": True,
     "gradient_limit": 0.4,
     "keep_intermediates": True,
+    "keep_slices": True,
     "maximum_memory": 4.0,
     "maximum_number_of_tetrahedra": 1000,
     "maximum_size": 9.0,

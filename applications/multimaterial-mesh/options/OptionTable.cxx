@@ -103,6 +103,9 @@ MakeTable()
     { "min-island", PARAMETER(minIsland, MinimumIslandSize), Kind::Integer, "N", "voxels", NonNegative, "",
       "Islands of fewer voxels go to the label that they touch most. A label's largest part always stays; 0 keeps "
       "everything." },
+    { "keep-slices", PARAMETER(keepSlices, KeepSlices), Kind::Flag, "", "", AnyValue, "",
+      "Leave slices that are at least four times as thick as voxels are wide as they are. Otherwise they are divided, with "
+      "shapes that change evenly from slice to slice." },
     { "allow-vanished", PARAMETER(allowVanished, AllowVanishedLabels), Kind::Flag, "", "", AnyValue, "",
       "Write a mesh even if a label of more than 1,000 voxels is not in it, as it is too thin." } } },
 

@@ -75,6 +75,7 @@ struct Settings
   bool                  fillExterior{ false };
   std::optional<double> airMargin;
   std::uint64_t         minIsland{ 8 };
+  bool                  keepSlices{ false };
   bool                  allowVanished{ false };
 
   std::string       surface;

@@ -283,7 +283,10 @@ ReadInput(const Settings & settings)
   {
     AddElectrodes(settings, input);
   }
-  WarnOfSpacing(*input.labels);
+  if (settings.keepSlices || hasIndicators || !settings.surfaceLabels.empty())
+  {
+    WarnOfSpacing(*input.labels);
+  }
   WarnOfUnusedFormat(settings);
   CheckLabelsFit(settings, input.voxels);
   WarnOfAbsentExterior(settings, input.voxels);

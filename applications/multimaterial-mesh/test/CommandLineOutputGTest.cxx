@@ -252,15 +252,21 @@ TEST_F(CommandLineOutput, WhatHasNoEffectWarns)
   EXPECT_EQ(result.error, "multimaterial-mesh: warning: --msh-format 2.2 has no effect, as no .msh file is written\n");
 }
 
-TEST_F(CommandLineOutput, LongVoxelsWarn)
+TEST_F(CommandLineOutput, LongVoxelsAreDividedOrWarn)
 {
   const auto   image = MakeBalls();
   const double spacing[] = { 1.0, 1.0, 6.0 };
   image->SetSpacing(spacing);
-  const auto result = Run({ this->WriteImage<LabelImage>(image, "long.nrrd"), this->Path("out.vtu"), "--quiet" });
-  EXPECT_EQ(result.exitCode, 0);
-  ASSERT_EQ(result.ErrorLines().size(), 1u) << result.error;
-  EXPECT_NE(result.error.find("warning: voxels are 6 times as long as wide"), std::string::npos) << result.error;
+  const auto input = this->WriteImage<LabelImage>(image, "long.nrrd");
+  const auto divided = Run({ input, this->Path("out.vtu"), "--quiet" });
+  EXPECT_EQ(divided.exitCode, 0);
+  ASSERT_EQ(divided.ErrorLines().size(), 1u) << divided.error;
+  EXPECT_NE(divided.error.find("warning: Voxels of 1 x 1 x 6 mm are divided into 1 x 1 x 6"), std::string::npos)
+    << divided.error;
+  const auto kept = Run({ input, this->Path("out.vtu"), "--quiet", "--keep-slices" });
+  EXPECT_EQ(kept.exitCode, 0);
+  ASSERT_EQ(kept.ErrorLines().size(), 1u) << kept.error;
+  EXPECT_NE(kept.error.find("warning: voxels are 6 times as long as wide"), std::string::npos) << kept.error;
 }
 
 TEST_F(CommandLineOutput, ShearedImageIsMeshedWhereItIs)

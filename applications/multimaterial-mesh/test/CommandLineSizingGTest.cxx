@@ -184,6 +184,7 @@ TEST_F(CommandLineSizing, BorderInTheReportIsThatOfTheMeshedBox)
                               "0",
                               "--report",
                               this->Path("report.json"),
+                              "--keep-slices",
                               "--quiet" });
     EXPECT_EQ(result.exitCode, 0) << result.error;
     const auto   report = nlohmann::json::parse(this->Contents("report.json"));
