@@ -40,7 +40,7 @@ from solution import Conductor, monopoles
 
 BRAIN = 1
 FAMILIES = ("hexahedra", "shifted", "tetrahedra")
-OPTIONS = ("", "--max-size 4", "--max-size 3")
+OPTIONS = ("", "--max-size 4", "--max-size 3", "--order 2")
 CGAL_OPTIONS = ("--no-weights", "")
 
 
@@ -132,7 +132,7 @@ def main():
     parser.add_argument(
         "--options",
         action="append",
-        help="of multimaterial-mesh, as one text; may be repeated (default: none; --max-size 4; --max-size 3)",
+        help="of multimaterial-mesh, as one text; may be repeated (default: none; --max-size 4; --max-size 3; --order 2)",
     )
     parser.add_argument("--folder", type=pathlib.Path, default="out", help="for the files (default: %(default)s)")
     parser.add_argument("--program", help="path of multimaterial-mesh, if it is not found")

@@ -42,7 +42,7 @@ def errors_of(grid, reference, labels):
     for label in labels:
         cells = np.flatnonzero(conductor.labels == label)
         smooth = conductor.smooth_gradient(label, pairs)
-        own = Samples(conductor.mesh, conductor.element, cells, np.full((3, 1), 0.25)).gradient_of(pairs)
+        own = Samples(conductor, cells, np.full((3, 1), 0.25)).gradient_of(pairs)
         for corner in conductor.mesh.t[:, cells]:
             squares[cells] += np.sum((smooth[:, corner] - own) ** 2, axis=(0, 2)) / 4
     volumes = np.abs(grid.compute_cell_sizes(length=False, area=False)["Volume"])
