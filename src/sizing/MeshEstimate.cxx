@@ -55,8 +55,10 @@ constexpr double TrianglesPerArea = 2.3;
 constexpr double TetrahedraPerVolume = 8.9;
 constexpr double PointsPerTetrahedron = 0.166;
 constexpr double PointsPerTriangle = 0.13;
-constexpr double BytesPerTetrahedron = 680.0;
-constexpr double BytesPerTriangle = 2400.0; // where only the surface is wanted
+/** Of the memory that images took, this part is still taken when the mesh is made. */
+constexpr double ShareOfImages = 0.7;
+constexpr double BytesPerTetrahedron = 190.0;
+constexpr double BytesPerTriangle = 1000.0; // where only the surface is wanted
 constexpr double Gigabyte = 1024.0 * 1024.0 * 1024.0;
 
 /** Planes of the grid that are summed up together: their number is no matter of threads. */
@@ -251,7 +253,7 @@ MeshEstimator::Estimate(double smallestSize, double factor) const
                                   : PointsPerTetrahedron * estimate.tetrahedra + PointsPerTriangle * estimate.triangles;
   const double bytes =
     m_SurfaceOnly ? BytesPerTriangle * estimate.triangles : BytesPerTetrahedron * estimate.tetrahedra;
-  estimate.memory = m_MemoryOfImages + bytes / Gigabyte;
+  estimate.memory = std::max(m_MemoryOfImages, ShareOfImages * m_MemoryOfImages + bytes / Gigabyte);
   return estimate;
 }
 
