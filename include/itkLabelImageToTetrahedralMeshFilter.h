@@ -193,9 +193,10 @@ public:
   itkGetConstMacro(AllowVanishedLabels, bool);
   itkBooleanMacro(AllowVanishedLabels);
 
-  /** Whether slices that are at least four times as thick as voxels are wide stay as they are. Otherwise each becomes
-   * as many as there are widths in its thickness, with shapes that change evenly from slice to slice, and images that
-   * are kept have these. Not where there are surfaces or functions. Default: false. */
+  /** Whether slices that are at least four times as thick as voxels are wide stay as they are. Otherwise each is
+   * divided into slices that are at most twice as thick (20 at most), with shapes that change evenly from slice to
+   * slice, and images that are kept have these, while regions and numbers of voxels are in terms of the input. Not
+   * where there are surfaces or functions. Default: false. */
   itkSetMacro(KeepSlices, bool);
   itkGetConstMacro(KeepSlices, bool);
   itkBooleanMacro(KeepSlices);

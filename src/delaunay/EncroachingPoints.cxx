@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mmm
 {
@@ -69,7 +70,7 @@ public:
     const Vector   v = m_Points[corners[2]] - a;
     const Vector   n = u.cross(v);
     const double   square = n.squaredNorm();
-    if (!(square > 0.0))
+    if (!(square > std::numeric_limits<double>::min()))
     {
       return { a + (u + v) / 3.0, std::max(u.norm(), v.norm()) };
     }

@@ -18,6 +18,7 @@
 #include "image/SliceGap.h"
 
 #include "image/ImageParts.h"
+#include "image/SliceBorders.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,110 +41,7 @@ constexpr double DomeHeight = 15.0 / 16.0;
  * balances volumes. */
 constexpr double LeastBalance = 0.5;
 constexpr int    BalanceHalvings = 20;
-
-/** Pixels around a window in which the borders of two materials are looked for. */
-constexpr int WindowMargin = 8;
 } // namespace
-
-/** The borders of pairs of materials in both slices, each only in a window around the pixels that ask for it. */
-class SliceGap::Borders
-{
-public:
-  Borders(const SlicePlane & plane, const BothSides<std::vector<std::vector<float>>> & distances)
-    : m_Plane(plane)
-    , m_Distances(distances)
-  {}
-
-  /** Says that a pixel will ask for a pair. */
-  void
-  Enlarge(Material first, Material second, std::size_t pixel)
-  {
-    Window &  window = m_Windows[{ first, second }];
-    const int at[] = { int(pixel % std::size_t(m_Plane.size[0])), int(pixel / std::size_t(m_Plane.size[0])) };
-    for (int a = 0; a < 2; ++a)
-    {
-      window.lower[a] = std::min(window.lower[a], std::max(0, at[a] - WindowMargin));
-      window.upper[a] = std::max(window.upper[a], std::min(m_Plane.size[a] - 1, at[a] + WindowMargin));
-    }
-  }
-
-  void
-  Compute()
-  {
-    for (auto & [pair, window] : m_Windows)
-    {
-      for (int side = 0; side < Sides; ++side)
-      {
-        window.distances[side] =
-          this->SignedDistances(window, m_Distances[side][pair.first], m_Distances[side][pair.second]);
-      }
-    }
-  }
-
-  BothSides<double>
-  At(Material first, Material second, std::size_t pixel) const
-  {
-    const Window &    window = m_Windows.at({ first, second });
-    const std::size_t at =
-      window.Offset(int(pixel % std::size_t(m_Plane.size[0])), int(pixel / std::size_t(m_Plane.size[0])));
-    return { { window.distances[0][at], window.distances[1][at] } };
-  }
-
-private:
-  struct Window
-  {
-    std::array<int, 2> lower{ { std::numeric_limits<int>::max(), std::numeric_limits<int>::max() } };
-    std::array<int, 2> upper{ { -1, -1 } };
-
-    BothSides<std::vector<float>> distances;
-
-    std::size_t
-    Offset(int i, int j) const
-    {
-      return std::size_t(j - lower[1]) * std::size_t(upper[0] - lower[0] + 1) + std::size_t(i - lower[0]);
-    }
-  };
-
-  /** Of a window's pixels from the border between what is nearer to the first material and what is nearer to the
-   * second. Where a window is all of one kind, the border is at least its margin away. */
-  std::vector<float>
-  SignedDistances(const Window & window, const std::vector<float> & first, const std::vector<float> & second) const
-  {
-    SlicePlane plane = m_Plane;
-    for (int a = 0; a < 2; ++a)
-    {
-      plane.size[a] = window.upper[a] - window.lower[a] + 1;
-    }
-    std::vector<char> nearerFirst(plane.NumberOfPixels());
-    std::vector<char> nearerSecond(plane.NumberOfPixels());
-    for (int j = window.lower[1]; j <= window.upper[1]; ++j)
-    {
-      for (int i = window.lower[0]; i <= window.upper[0]; ++i)
-      {
-        const std::size_t n = std::size_t(j) * std::size_t(m_Plane.size[0]) + std::size_t(i);
-        nearerFirst[window.Offset(i, j)] = first[n] < second[n];
-        nearerSecond[window.Offset(i, j)] = second[n] < first[n];
-      }
-    }
-    // the border is half a pixel before the first centre beyond it
-    const float        far = float(WindowMargin * std::max(plane.spacing[0], plane.spacing[1]));
-    const float        half = float(0.5 * std::min(plane.spacing[0], plane.spacing[1]));
-    const auto         toFirst = DistancesToSet(plane, nearerFirst);
-    const auto         toSecond = DistancesToSet(plane, nearerSecond);
-    std::vector<float> distances(plane.NumberOfPixels());
-    for (std::size_t n = 0; n < distances.size(); ++n)
-    {
-      distances[n] = nearerFirst[n]    ? std::min(toSecond[n], far + half) - half
-                     : nearerSecond[n] ? half - std::min(toFirst[n], far + half)
-                                       : 0.0F;
-    }
-    return distances;
-  }
-
-  const SlicePlane &                                 m_Plane;
-  const BothSides<std::vector<std::vector<float>>> & m_Distances;
-  std::map<std::pair<Material, Material>, Window>    m_Windows;
-};
 
 SliceGap::SliceGap(const SlicePlane & plane, double distance, Slice lower, Slice upper)
   : m_Plane(plane)
@@ -157,10 +55,10 @@ SliceGap::SliceGap(const SlicePlane & plane, double distance, Slice lower, Slice
   }
 }
 
-std::vector<std::vector<float>>
+MaterialDistances
 SliceGap::DistancesToMaterials(const Slice & slice) const
 {
-  std::vector<std::vector<float>> distances;
+  MaterialDistances distances;
   for (const Material m : slice)
   {
     if (m < distances.size() && !distances[m].empty())
@@ -178,23 +76,23 @@ SliceGap::DistancesToMaterials(const Slice & slice) const
 void
 SliceGap::TakeOutEnds(double distance)
 {
-  BothSides<std::vector<std::vector<float>>> distances;
-  for (int side = 0; side < Sides; ++side)
+  BothSides<MaterialDistances> distances;
+  for (int side = 0; side < SliceSides; ++side)
   {
     distances[side] = this->DistancesToMaterials(m_Slices[side]);
   }
-  for (int side = 0; side < Sides; ++side)
+  for (int side = 0; side < SliceSides; ++side)
   {
     m_Ends[side] = this->EndsOf(side, distances[1 - side], FarthestPartner * distance);
   }
-  for (int side = 0; side < Sides; ++side)
+  for (int side = 0; side < SliceSides; ++side)
   {
     this->FillIn(side, m_Ends[side]);
   }
 }
 
 std::vector<SliceGap::EndingPixel>
-SliceGap::EndsOf(int side, const std::vector<std::vector<float>> & distancesInOther, double farthest) const
+SliceGap::EndsOf(int side, const MaterialDistances & distancesInOther, double farthest) const
 {
   MaterialImage image;
   image.grid.size = { { m_Plane.size[0], m_Plane.size[1], 1 } };
@@ -228,16 +126,34 @@ SliceGap::EndsOf(int side, const std::vector<std::vector<float>> & distancesInOt
 void
 SliceGap::AddDome(const std::vector<std::size_t> & pixels, int side, std::vector<EndingPixel> & ends) const
 {
-  std::vector<char> isOutside(m_Plane.NumberOfPixels(), 1);
+  // in the box of the part, with a pixel around as far as there are any
+  const auto         width = std::size_t(m_Plane.size[0]);
+  std::array<int, 2> lower = m_Plane.size;
+  std::array<int, 2> upper{ { 0, 0 } };
   for (const std::size_t pixel : pixels)
   {
-    isOutside[pixel] = 0;
+    const int at[] = { int(pixel % width), int(pixel / width) };
+    for (int a = 0; a < 2; ++a)
+    {
+      lower[a] = std::min(lower[a], std::max(0, at[a] - 1));
+      upper[a] = std::max(upper[a], std::min(m_Plane.size[a] - 1, at[a] + 1));
+    }
   }
-  const auto                                 depths = DistancesToSet(m_Plane, isOutside);
+  SlicePlane box = m_Plane;
+  box.size = { { upper[0] - lower[0] + 1, upper[1] - lower[1] + 1 } };
+  const auto inBox = [&](std::size_t pixel) {
+    return (pixel / width - std::size_t(lower[1])) * std::size_t(box.size[0]) + pixel % width - std::size_t(lower[0]);
+  };
+  std::vector<char> isOutside(box.NumberOfPixels(), 1);
+  for (const std::size_t pixel : pixels)
+  {
+    isOutside[inBox(pixel)] = 0;
+  }
+  const auto                                 depths = DistancesToSet(box, isOutside);
   std::vector<std::pair<float, std::size_t>> order;
   for (const std::size_t pixel : pixels)
   {
-    order.push_back({ -depths[pixel], pixel });
+    order.push_back({ -depths[inBox(pixel)], pixel });
   }
   std::sort(order.begin(), order.end());
   for (auto begin = order.begin(); begin != order.end();)
@@ -297,8 +213,8 @@ SliceGap::FillIn(int side, const std::vector<EndingPixel> & ends)
 void
 SliceGap::FindChanges()
 {
-  BothSides<std::vector<std::vector<float>>> distances;
-  for (int side = 0; side < Sides; ++side)
+  BothSides<MaterialDistances> distances;
+  for (int side = 0; side < SliceSides; ++side)
   {
     distances[side] = this->DistancesToMaterials(m_Slices[side]);
   }
@@ -313,8 +229,8 @@ SliceGap::FindChanges()
       common.push_back(Material(m));
     }
   }
-  Borders    borders(m_Plane, distances);
-  const auto forEachPair = [](const std::vector<Material> & materials, const auto & body) {
+  SliceBorders borders(m_Plane, distances);
+  const auto   forEachPair = [](const std::vector<Material> & materials, const auto & body) {
     for (std::size_t a = 0; a < materials.size(); ++a)
     {
       for (std::size_t b = a + 1; b < materials.size(); ++b)

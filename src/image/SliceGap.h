@@ -19,7 +19,7 @@
 #define mmmSliceGap_h
 
 #include "image/MaterialImage.h"
-#include "image/SliceDistance.h"
+#include "image/SliceSides.h"
 
 namespace mmm
 {
@@ -47,10 +47,6 @@ public:
   At(double share) const;
 
 private:
-  static constexpr int Sides = 2;
-  template <typename T>
-  using BothSides = std::array<T, Sides>;
-
   /** A pixel of a part that ends, and how far that goes, as a share of the gap. */
   struct EndingPixel
   {
@@ -66,18 +62,16 @@ private:
     std::vector<Material>          candidates;
     std::vector<BothSides<double>> contests;
   };
-  class Borders;
 
   void
   TakeOutEnds(double distance);
   std::vector<EndingPixel>
-  EndsOf(int side, const std::vector<std::vector<float>> & distancesInOther, double farthest) const;
+  EndsOf(int side, const MaterialDistances & distancesInOther, double farthest) const;
   void
   AddDome(const std::vector<std::size_t> & pixels, int side, std::vector<EndingPixel> & ends) const;
   void
   FillIn(int side, const std::vector<EndingPixel> & ends);
-  /** For each material that a slice has, the distances of all pixels from it; empty for the others. */
-  std::vector<std::vector<float>>
+  MaterialDistances
   DistancesToMaterials(const Slice & slice) const;
   void
   FindChanges();

@@ -37,22 +37,47 @@ namespace
 {
 /** Slices are divided where they are at least this many times as thick as voxels are wide. Measured:
  * docs/measurements.md. */
-constexpr int LeastParts = 4;
+constexpr double LeastRatio = 4.0;
+/** Then they become about this many times as thick, which is as good as cubes, in fewer voxels. Measured likewise. */
+constexpr double WantedRatio = 2.0;
+/** More slices would be more of the same. */
+constexpr double MostParts = 20.0;
 
-/** Into how many slices each one is to be divided, along each axis: as many as there are widths of voxels in it. */
+/** Into how many slices each one is to be divided, along each axis. */
 std::array<int, 3>
 PartsFor(const itk::ImageBase<3> * image)
 {
-  constexpr double   rounding = 1e-3;
-  const auto &       spacing = image->GetSpacing();
-  const double       width = *std::min_element(spacing.Begin(), spacing.End());
+  constexpr double rounding = 1e-3;
+  const auto       grid = GridGeometry(image, image->GetLargestPossibleRegion()).GetGrid(); // its smallest spacing is 1
   std::array<int, 3> parts;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    parts[axis] = static_cast<int>(spacing[axis] / width + rounding);
-    parts[axis] = parts[axis] < LeastParts ? 1 : parts[axis];
+    const double ratio = grid.spacing[axis] + rounding;
+    parts[axis] =
+      ratio < LeastRatio ? 1 : static_cast<int>(std::min(MostParts, std::ceil(ratio / WantedRatio - rounding)));
   }
   return parts;
+}
+
+/** Throws if the stages take more memory than that for sure, in GB, or number voxels by more bits than they have. */
+void
+VerifySize(const itk::ImageBase<3> * image, const std::array<int, 3> & parts, double limit)
+{
+  // the least that there is at a time: labels twice, sizes, distances and materials
+  constexpr double bytesPerVoxel = 2 * sizeof(int) + 12;
+  constexpr double mostVoxels = 4e9;
+  double           voxels = 1.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    voxels *= static_cast<double>(image->GetLargestPossibleRegion().GetSize(axis)) * parts[axis];
+  }
+  const double gigabytes = voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
+  if (gigabytes > limit || voxels > mostVoxels)
+  {
+    itkGenericExceptionMacro("With its slices divided, the image has "
+                             << voxels << " voxels and takes at least " << gigabytes
+                             << " GB, which is too much. KeepSlices (--keep-slices) leaves them as they are.");
+  }
 }
 
 /** An image without pixels, where each voxel of another one is divided. */
@@ -154,8 +179,8 @@ IsMeshable(const LabelMeshingInputs & inputs)
 } // namespace
 
 LabelSlices::LabelSlices(LabelMeshingInputs & inputs, FilterMonitor & monitor)
-  : m_Spacing(inputs.labels->GetSpacing())
-  , m_Region(inputs.labels->GetLargestPossibleRegion())
+  : m_HasElectrodes(!inputs.electrodes.list.empty())
+  , m_Spacing(inputs.labels->GetSpacing())
 {
   if (inputs.options.keepSlices || !inputs.functions.images.empty() || !inputs.surfaces.labels.empty() ||
       !IsMeshable(inputs))
@@ -167,6 +192,7 @@ LabelSlices::LabelSlices(LabelMeshingInputs & inputs, FilterMonitor & monitor)
   {
     return;
   }
+  VerifySize(inputs.labels, m_Parts, inputs.meshing.maximumMemory);
   const auto labels = itk::CopyToIntegers(inputs.labels.GetPointer());
   MergeLabelIslands(inputs.options.exteriorLabels,
                     inputs.options.minimumIslandSize,
@@ -240,17 +266,20 @@ LabelSlices::Restore(std::map<int, IslandRecord> & records, std::vector<int> & a
   {
     return;
   }
-  for (auto & [label, record] : records)
+  std::map<int, IslandRecord> restored = m_Records;
+  for (const auto & [label, record] : records)
   {
-    const auto own = m_Records.find(label);
-    if (own != m_Records.end())
+    const bool isNew = restored.count(label) == 0;
+    if (isNew || m_HasElectrodes) // these took voxels of others
     {
-      record = own->second;
-      continue;
+      restored[label].voxelsAfter = record.voxelsAfter == 0 ? 0 : this->ToImage(record.voxelsAfter);
     }
-    record.voxelsBefore = this->ToImage(record.voxelsBefore);
-    record.voxelsAfter = this->ToImage(record.voxelsAfter);
+    if (isNew)
+    {
+      restored[label].voxelsBefore = this->ToImage(record.voxelsBefore);
+    }
   }
+  records = restored;
   absentExteriorLabels = m_AbsentExteriorLabels;
 }
 } // namespace mmm

@@ -59,9 +59,9 @@ public:
   Restore(std::map<int, IslandRecord> & records, std::vector<int> & absentExteriorLabels) const;
 
 private:
+  bool                        m_HasElectrodes;
   std::array<int, 3>          m_Parts{ { 1, 1, 1 } };
   itk::Vector<double, 3>      m_Spacing;
-  itk::ImageRegion<3>         m_Region;
   std::map<int, IslandRecord> m_Records;
   std::vector<int>            m_AbsentExteriorLabels;
 };

@@ -151,14 +151,31 @@ Tetrahedralize(const Grid & grid, std::size_t numberOfFixedPoints, Material exte
   {
     result.report.pointsLeftOut = 0;
     result.points.resize(numberOfPoints);
-    tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
-    if (!LabelTetrahedra(exterior, result))
+    try
     {
-      // TetGen 1.5.0 does not always say so
-      throw TetGenFailure(__FILE__, __LINE__, "TetGen lost triangles of the surface.", "");
+      tetrahedra = ConstrainedTetrahedralization(result.points, triangles);
+      isLabelled = LabelTetrahedra(exterior, result); // TetGen 1.5.0 does not always say so
+    }
+    catch (const TetGenFailure &)
+    {
+      isLabelled = false;
     }
   }
-  result.report.steinerPoints = result.points.size() - numberOfPoints;
+  result.report.steinerPoints = isLabelled ? result.points.size() - numberOfPoints : 0;
+  if (!isLabelled)
+  {
+    // the triangles come from the Delaunay tetrahedra of the fixed points
+    result.report.pointsLeftOut = numberOfPoints - numberOfFixedPoints;
+    result.points.resize(numberOfFixedPoints);
+    tetrahedra = DelaunayTetrahedralization(result.points);
+    if (!LabelTetrahedra(exterior, result))
+    {
+      throw TetGenFailure(__FILE__, __LINE__, "TetGen lost triangles of the surface.", "");
+    }
+    result.report.warnings.push_back(
+      "TetGen could not recover the interfaces, so that all points of the interior were left out: elements there are "
+      "larger than was asked for.");
+  }
 }
 
 /** Where only the surface is wanted, tetrahedra are there to keep it free of intersections while its triangles improve:

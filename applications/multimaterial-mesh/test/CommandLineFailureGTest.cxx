@@ -183,9 +183,16 @@ TEST_F(CommandLineTetGen, SurfaceIsKeptIfItFails)
 
 TEST_F(CommandLineTetGen, MeshIsMadeByRecoveryIfOtherwiseThereIsNone)
 {
-  const auto result = this->RunWithFailure("FAIL_ONCE=1", { "--quiet" });
+  // without facets it is tried twice
+  const auto result = this->RunWithFailure("TIMES=2", { "--quiet" });
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_EQ(result.error, "");
+  EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
+}
+
+TEST_F(CommandLineTetGen, MeshIsMadeWithoutAnInteriorIfRecoveryFails)
+{
+  ExpectOneWarning(this->RunWithFailure("TIMES=3", { "--quiet" }), "all points of the interior were left out");
   EXPECT_EQ(this->Files(), (std::set<std::string>{ "labels.nrrd", "out.vtu" }));
 }
 

@@ -16,7 +16,7 @@
  *
  *=========================================================================*/
 // Stands before the real TetGen where LD_PRELOAD says so. It fails from the call with the number FAIL_AT on, which
-// counts from 1; with FAIL_ONCE in the environment only there. With OUT_OF_MEMORY there is no memory. The number of
+// counts from 1; with TIMES in the environment in as many calls. With OUT_OF_MEMORY there is no memory. The number of
 // calls goes to the file COUNT.
 #include <tetgen.h>
 
@@ -37,7 +37,8 @@ tetrahedralize(char * switches, tetgenio * in, tetgenio * out, tetgenio * addin,
   }
   const char * const failAt = std::getenv("FAIL_AT");
   const int          first = failAt ? std::atoi(failAt) : calls + 1;
-  if (std::getenv("FAIL_ONCE") ? calls == first : calls >= first)
+  const char * const times = std::getenv("TIMES");
+  if (calls >= first && (times == nullptr || calls < first + std::atoi(times)))
   {
     if (std::getenv("OUT_OF_MEMORY"))
     {
