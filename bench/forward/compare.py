@@ -113,7 +113,8 @@ def meshes(arguments, labels):
     """Names and grids, one after the other."""
     spacing = arguments.spacing
     for options in arguments.options or OPTIONS:
-        name = f"ours, `{options}`" if options else "ours, defaults"
+        ours = "ours of second order" if "--order 2" in options else "ours"
+        name = f"{ours}, `{options}`" if options else f"{ours}, defaults"
         yield name, mesh_images(arguments.program, [labels], arguments.folder / "ours.vtu", "--quiet", *options.split())
     for family in filter(None, arguments.families.split(",")):
         yield f"voxels: {family}", voxel_grid(*spheres.label_image(spacing), spacing, family)

@@ -34,7 +34,8 @@ PANELS = (
     ("field between electrodes, recovered: error, %", lambda row: row["smooth field"]),
 )
 FAMILIES = (
-    ("ours", "o"),
+    ("ours,", "o"),
+    ("ours of second order", "P"),
     ("voxels: hexahedra", "s"),
     ("voxels: shifted", "D"),
     ("voxels: tetrahedra", "^"),
@@ -52,7 +53,9 @@ def draw(rows, picture):
                 members = [row for name, row in rows.items() if name.startswith(f"{spacing} mm {family}")]
                 points = sorted((row["nodes"], error_of(row)) for row in members)
                 if points:
-                    axis.loglog(*zip(*points), marker + line, color=f"C{number}", label=f"{family}, {spacing} mm")
+                    axis.loglog(
+                        *zip(*points), marker + line, color=f"C{number}", label=f"{family.rstrip(',')}, {spacing} mm"
+                    )
         axis.set_title(title, fontsize=10)
         axis.set_xlabel("nodes")
         axis.grid(alpha=0.3)
