@@ -14,8 +14,8 @@
 #  See the License for the specific language governing permissions and
 #  limitations under the License.
 #
-"""Potentials of unit currents at electrodes by finite elements of first order, and what follows from them: by reciprocity
-the potential of a dipole at the electrodes, and the field between electrodes."""
+"""Potentials of unit currents at electrodes by finite elements of first or second order, and what follows from them: by
+reciprocity the potential of a dipole at the electrodes, and the field between electrodes."""
 
 import numpy as np
 import pyvista

@@ -54,8 +54,8 @@ class MultiMaterialMesh:
     mid_node_edges : (e, 2) int64, or None
         The ends of these edges, as rows of points, the lower one first.
     report : types.SimpleNamespace
-        What was expected (estimate), counts (particles, points_left_out, steiner_points), labels without tetrahedra and their voxels
-        (vanished_labels), what was merged (islands, by label), the seconds and memory of the stages; with
+        What was expected (estimate), counts (particles, points_left_out, steiner_points), labels without tetrahedra and
+        their voxels (vanished_labels), what was merged (islands, by label), the seconds and memory of the stages; with
         element_order=2 volumes of the curved tetrahedra by label, and edges that had to stay straight (curving).
     names : dict[int, str]
         What labels are called, for those that have a name. Files get them.
