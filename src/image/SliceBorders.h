@@ -20,8 +20,8 @@
 
 #include "image/MaterialImage.h"
 #include "image/SliceSides.h"
+#include "image/SliceWindow.h"
 
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -46,33 +46,28 @@ public:
   BothSides<double>
   At(Material first, Material second, std::size_t pixel) const
   {
-    const Window &    window = m_Windows.at({ first, second });
-    const std::size_t at =
-      window.Offset(int(pixel % std::size_t(m_Plane.size[0])), int(pixel / std::size_t(m_Plane.size[0])));
-    return { { window.distances[0][at], window.distances[1][at] } };
+    const Border &    border = m_Borders.at({ first, second });
+    const std::size_t at = border.window.Offset(pixel);
+    return { { border.distances[0][at], border.distances[1][at] } };
   }
 
 private:
-  struct Window
+  struct Border
   {
-    std::array<int, 2> lower{ { std::numeric_limits<int>::max(), std::numeric_limits<int>::max() } };
-    std::array<int, 2> upper{ { -1, -1 } };
-
+    SliceWindow                   window;
     BothSides<std::vector<float>> distances;
-
-    std::size_t
-    Offset(int i, int j) const
-    {
-      return std::size_t(j - lower[1]) * std::size_t(upper[0] - lower[0] + 1) + std::size_t(i - lower[0]);
-    }
   };
 
+  /** Of a window's pixels from the border between what is nearer to the first material and what is nearer to the
+   * second. Where a window is all of one kind, the border is at least its margin away. */
   std::vector<float>
-  SignedDistances(const Window & window, const std::vector<float> & first, const std::vector<float> & second) const;
+  SignedDistances(const SliceWindow &        window,
+                  const std::vector<float> & first,
+                  const std::vector<float> & second) const;
 
   const SlicePlane &                              m_Plane;
   const BothSides<MaterialDistances> &            m_Distances;
-  std::map<std::pair<Material, Material>, Window> m_Windows;
+  std::map<std::pair<Material, Material>, Border> m_Borders;
 };
 } // namespace mmm
 

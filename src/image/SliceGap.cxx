@@ -17,8 +17,8 @@
  *=========================================================================*/
 #include "image/SliceGap.h"
 
-#include "image/ImageParts.h"
 #include "image/SliceBorders.h"
+#include "image/SliceWindow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +41,9 @@ constexpr double DomeHeight = 15.0 / 16.0;
  * balances volumes. */
 constexpr double LeastBalance = 0.5;
 constexpr int    BalanceHalvings = 20;
+
+/** Of pixels whose part has ended. */
+constexpr Material NoMaterial = std::numeric_limits<Material>::max();
 } // namespace
 
 SliceGap::SliceGap(const SlicePlane & plane, double distance, Slice lower, Slice upper)
@@ -49,8 +52,7 @@ SliceGap::SliceGap(const SlicePlane & plane, double distance, Slice lower, Slice
 {
   if (m_Slices[0] != m_Slices[1])
   {
-    this->TakeOutEnds(distance);
-    this->FindChanges();
+    this->FindChanges(this->TakeOutEnds(distance));
     this->BalanceVolumes();
   }
 }
@@ -61,7 +63,7 @@ SliceGap::DistancesToMaterials(const Slice & slice) const
   MaterialDistances distances;
   for (const Material m : slice)
   {
-    if (m < distances.size() && !distances[m].empty())
+    if (m == NoMaterial || (m < distances.size() && !distances[m].empty()))
     {
       continue;
     }
@@ -73,7 +75,8 @@ SliceGap::DistancesToMaterials(const Slice & slice) const
   return distances;
 }
 
-void
+/** Returns the distances to what is left. */
+BothSides<MaterialDistances>
 SliceGap::TakeOutEnds(double distance)
 {
   BothSides<MaterialDistances> distances;
@@ -87,22 +90,35 @@ SliceGap::TakeOutEnds(double distance)
   }
   for (int side = 0; side < SliceSides; ++side)
   {
-    this->FillIn(side, m_Ends[side]);
+    if (!m_Ends[side].empty() && m_Ends[side].size() < m_Slices[side].size())
+    {
+      this->FillIn(side);
+      distances[side] = this->DistancesToMaterials(m_Slices[side]);
+    }
   }
+  return distances;
+}
+
+/** Its pixels of one material that share edges. */
+ImageParts
+SliceGap::PartsOf(const Slice & slice) const
+{
+  MaterialImage image;
+  image.grid.size = { { m_Plane.size[0], m_Plane.size[1], 1 } };
+  image.materials = slice;
+  return FindImageParts(image);
 }
 
 std::vector<SliceGap::EndingPixel>
 SliceGap::EndsOf(int side, const MaterialDistances & distancesInOther, double farthest) const
 {
-  MaterialImage image;
-  image.grid.size = { { m_Plane.size[0], m_Plane.size[1], 1 } };
-  image.materials = m_Slices[side];
-  const ImageParts                      parts = FindImageParts(image);
+  const Slice &                         slice = m_Slices[side];
+  const ImageParts                      parts = this->PartsOf(slice);
   std::vector<std::vector<std::size_t>> pixels(parts.parts.size());
   std::vector<char>                     ends(parts.parts.size(), 1);
-  for (std::size_t n = 0; n < image.materials.size(); ++n)
+  for (std::size_t n = 0; n < slice.size(); ++n)
   {
-    const Material m = image.materials[n];
+    const Material m = slice[n];
     const auto     part = parts.numbers[n];
     pixels[part].push_back(n);
     if (m < distancesInOther.size() && !distancesInOther[m].empty() && distancesInOther[m][n] <= farthest)
@@ -126,34 +142,22 @@ SliceGap::EndsOf(int side, const MaterialDistances & distancesInOther, double fa
 void
 SliceGap::AddDome(const std::vector<std::size_t> & pixels, int side, std::vector<EndingPixel> & ends) const
 {
-  // in the box of the part, with a pixel around as far as there are any
-  const auto         width = std::size_t(m_Plane.size[0]);
-  std::array<int, 2> lower = m_Plane.size;
-  std::array<int, 2> upper{ { 0, 0 } };
+  // in the window of the part, with a pixel around as far as there are any
+  SliceWindow window(m_Plane);
   for (const std::size_t pixel : pixels)
   {
-    const int at[] = { int(pixel % width), int(pixel / width) };
-    for (int a = 0; a < 2; ++a)
-    {
-      lower[a] = std::min(lower[a], std::max(0, at[a] - 1));
-      upper[a] = std::max(upper[a], std::min(m_Plane.size[a] - 1, at[a] + 1));
-    }
+    window.Include(pixel, 1);
   }
-  SlicePlane box = m_Plane;
-  box.size = { { upper[0] - lower[0] + 1, upper[1] - lower[1] + 1 } };
-  const auto inBox = [&](std::size_t pixel) {
-    return (pixel / width - std::size_t(lower[1])) * std::size_t(box.size[0]) + pixel % width - std::size_t(lower[0]);
-  };
-  std::vector<char> isOutside(box.NumberOfPixels(), 1);
+  std::vector<char> isOutside(window.Plane().NumberOfPixels(), 1);
   for (const std::size_t pixel : pixels)
   {
-    isOutside[inBox(pixel)] = 0;
+    isOutside[window.Offset(pixel)] = 0;
   }
-  const auto                                 depths = DistancesToSet(box, isOutside);
+  const auto                                 depths = DistancesToSet(window.Plane(), isOutside);
   std::vector<std::pair<float, std::size_t>> order;
   for (const std::size_t pixel : pixels)
   {
-    order.push_back({ -depths[inBox(pixel)], pixel });
+    order.push_back({ -depths[window.Offset(pixel)], pixel });
   }
   std::sort(order.begin(), order.end());
   for (auto begin = order.begin(); begin != order.end();)
@@ -168,56 +172,33 @@ SliceGap::AddDome(const std::vector<std::size_t> & pixels, int side, std::vector
   }
 }
 
-/** Gives the pixels that end to the material that is nearest, the first of equals, if there is any. */
+/** Gives the pixels that end to the material that is nearest, the first of equals. */
 void
-SliceGap::FillIn(int side, const std::vector<EndingPixel> & ends)
+SliceGap::FillIn(int side)
 {
-  Slice &        slice = m_Slices[side];
-  constexpr auto none = std::numeric_limits<Material>::max();
-  if (ends.empty() || ends.size() == slice.size())
+  Slice & slice = m_Slices[side];
+  for (const EndingPixel & end : m_Ends[side])
   {
-    return;
+    slice[end.pixel] = NoMaterial;
   }
-  for (const EndingPixel & end : ends)
+  const MaterialDistances distances = this->DistancesToMaterials(slice);
+  for (const EndingPixel & end : m_Ends[side])
   {
-    slice[end.pixel] = none;
-  }
-  Slice                 filled = slice;
-  std::vector<char>     isKept(slice.size());
-  std::vector<float>    nearest(slice.size(), std::numeric_limits<float>::infinity());
-  std::vector<Material> materials;
-  for (const Material m : slice)
-  {
-    if (m != none && std::find(materials.begin(), materials.end(), m) == materials.end())
+    float nearest = std::numeric_limits<float>::infinity();
+    for (std::size_t m = 0; m < distances.size(); ++m)
     {
-      materials.push_back(m);
-    }
-  }
-  std::sort(materials.begin(), materials.end());
-  for (const Material m : materials)
-  {
-    std::transform(slice.begin(), slice.end(), isKept.begin(), [m](Material other) { return other == m; });
-    const auto distances = DistancesToSet(m_Plane, isKept);
-    for (const EndingPixel & end : ends)
-    {
-      if (distances[end.pixel] < nearest[end.pixel])
+      if (!distances[m].empty() && distances[m][end.pixel] < nearest)
       {
-        nearest[end.pixel] = distances[end.pixel];
-        filled[end.pixel] = m;
+        nearest = distances[m][end.pixel];
+        slice[end.pixel] = Material(m);
       }
     }
   }
-  slice = filled;
 }
 
 void
-SliceGap::FindChanges()
+SliceGap::FindChanges(const BothSides<MaterialDistances> & distances)
 {
-  BothSides<MaterialDistances> distances;
-  for (int side = 0; side < SliceSides; ++side)
-  {
-    distances[side] = this->DistancesToMaterials(m_Slices[side]);
-  }
   const auto isThere = [&](int side, std::size_t m) {
     return m < distances[side].size() && !distances[side][m].empty();
   };
@@ -272,20 +253,18 @@ SliceGap::FindChanges()
 void
 SliceGap::BalanceVolumes()
 {
-  MaterialImage image;
-  image.grid.size = { { m_Plane.size[0], m_Plane.size[1], 1 } };
-  image.materials.assign(m_Plane.NumberOfPixels(), 0);
+  Slice                                             kindAt(m_Plane.NumberOfPixels(), 0);
   std::map<std::pair<Material, Material>, Material> kinds;
   for (const ChangingPixel & change : m_Changes)
   {
     if (change.contests.size() == 1)
     {
       const auto next = Material(kinds.size() + 1);
-      image.materials[change.pixel] =
+      kindAt[change.pixel] =
         kinds.insert({ { m_Slices[0][change.pixel], m_Slices[1][change.pixel] }, next }).first->second;
     }
   }
-  const ImageParts                          parts = FindImageParts(image);
+  const ImageParts                          parts = this->PartsOf(kindAt);
   std::vector<std::vector<ChangingPixel *>> members(parts.parts.size());
   for (ChangingPixel & change : m_Changes)
   {

@@ -18,7 +18,7 @@
 #ifndef mmmSliceGap_h
 #define mmmSliceGap_h
 
-#include "image/MaterialImage.h"
+#include "image/ImageParts.h"
 #include "image/SliceSides.h"
 
 namespace mmm
@@ -63,18 +63,20 @@ private:
     std::vector<BothSides<double>> contests;
   };
 
-  void
+  BothSides<MaterialDistances>
   TakeOutEnds(double distance);
+  ImageParts
+  PartsOf(const Slice & slice) const;
   std::vector<EndingPixel>
   EndsOf(int side, const MaterialDistances & distancesInOther, double farthest) const;
   void
   AddDome(const std::vector<std::size_t> & pixels, int side, std::vector<EndingPixel> & ends) const;
   void
-  FillIn(int side, const std::vector<EndingPixel> & ends);
+  FillIn(int side);
   MaterialDistances
   DistancesToMaterials(const Slice & slice) const;
   void
-  FindChanges();
+  FindChanges(const BothSides<MaterialDistances> & distances);
   void
   BalanceVolumes();
   static Material

@@ -28,11 +28,12 @@ namespace mmm
 {
 namespace
 {
-/** The slices of an image across an axis. */
+/** The slices of an image, which may be const, across an axis. */
+template <typename TImage>
 class Slices
 {
 public:
-  Slices(MaterialImage & image, int axis)
+  Slices(TImage & image, int axis)
     : m_Image(image)
     , m_Axis(axis)
   {}
@@ -73,8 +74,8 @@ private:
     IndexBox{ lower, upper }.Visit([&](const Index & at) { visit(m_Image.materials[m_Image.grid.Offset(at)]); });
   }
 
-  MaterialImage & m_Image;
-  const int       m_Axis;
+  TImage &  m_Image;
+  const int m_Axis;
 };
 } // namespace
 
@@ -82,16 +83,17 @@ MaterialImage
 InterpolateSlices(const MaterialImage & image, int axis, int parts)
 {
   assert(parts > 0);
-  MaterialImage fine = image;
+  MaterialImage fine;
+  fine.grid = image.grid;
   fine.grid.size[axis] *= parts;
   fine.grid.spacing[axis] /= parts;
+  fine.numberOfMaterials = image.numberOfMaterials;
   fine.materials.assign(fine.grid.NumberOfNodes(), 0);
 
-  MaterialImage coarse = image;
-  const Slices  from(coarse, axis);
-  Slices        to(fine, axis);
-  const auto    plane = from.Plane();
-  const int     last = image.grid.size[axis] - 1;
+  const Slices<const MaterialImage> from(image, axis);
+  Slices<MaterialImage>             to(fine, axis);
+  const auto                        plane = from.Plane();
+  const int                         last = image.grid.size[axis] - 1;
   // gap g is below slice g; before the first one and after the last one, there is nothing to go to
   ParallelFor(std::size_t(last) + 2, 1, [&](std::size_t begin, std::size_t end) {
     for (int gap = int(begin); gap < int(end); ++gap)

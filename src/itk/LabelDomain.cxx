@@ -147,14 +147,12 @@ LabelDomain::Extend(double largestMemory)
 void
 LabelDomain::VerifyMemory(const itk::ImageRegion<3> & region, double limit) const
 {
-  // the least that there is at a time: labels twice, sizes, distances and materials
-  constexpr double bytesPerVoxel = 2 * sizeof(int) + 12;
-  double           voxels = 1.0;
+  double voxels = 1.0;
   for (const auto length : region.GetSize())
   {
     voxels *= static_cast<double>(length);
   }
-  const double gigabytes = voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
+  const double gigabytes = LeastMemory(voxels);
   if (gigabytes > limit)
   {
     itkGenericExceptionMacro("With an air margin of " << m_Options.airMargin << " mm, the image has "
@@ -162,6 +160,14 @@ LabelDomain::VerifyMemory(const itk::ImageRegion<3> & region, double limit) cons
                                                       << gigabytes << " GB, more than the limit of " << limit
                                                       << " GB. A smaller margin helps.");
   }
+}
+
+double
+LeastMemory(double voxels)
+{
+  // labels twice, sizes, distances and materials
+  constexpr double bytesPerVoxel = 2 * sizeof(int) + 12;
+  return voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
 }
 
 bool

@@ -69,6 +69,10 @@ private:
   LabelCounts              m_Counts;
 };
 
+/** The least memory that the stages take at a time, for an image of that many voxels, in GB. */
+double
+LeastMemory(double voxels);
+
 /** Whether the exterior is meshed, too. */
 bool
 IsFilled(const LabelOptions & options);

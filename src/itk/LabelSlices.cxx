@@ -63,15 +63,13 @@ PartsFor(const itk::ImageBase<3> * image)
 void
 VerifySize(const itk::ImageBase<3> * image, const std::array<int, 3> & parts, double limit)
 {
-  // the least that there is at a time: labels twice, sizes, distances and materials
-  constexpr double bytesPerVoxel = 2 * sizeof(int) + 12;
   constexpr double mostVoxels = 4e9;
   double           voxels = 1.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     voxels *= static_cast<double>(image->GetLargestPossibleRegion().GetSize(axis)) * parts[axis];
   }
-  const double gigabytes = voxels * bytesPerVoxel / (1024.0 * 1024.0 * 1024.0);
+  const double gigabytes = LeastMemory(voxels);
   if (gigabytes > limit || voxels > mostVoxels)
   {
     itkGenericExceptionMacro("With its slices divided, the image has "
