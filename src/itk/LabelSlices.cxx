@@ -133,17 +133,6 @@ Divide(const TImage * image, const itk::ImageBase<3> * geometry, const std::arra
   return fine.GetPointer();
 }
 
-std::vector<int>
-LabelsOf(const LabelImage * image)
-{
-  std::vector<int> labels;
-  for (const auto & entry : CountLabels(image))
-  {
-    labels.push_back(entry.first);
-  }
-  return labels;
-}
-
 LabelImage::ConstPointer
 Interpolate(const LabelImage * image, const itk::ImageBase<3> * geometry, const std::array<int, 3> & parts)
 {

@@ -30,31 +30,6 @@ namespace mmm
 {
 namespace
 {
-constexpr std::size_t MostLabels = 65530; // Material has room for six more
-
-/** The labels of an image that has interfaces. */
-std::vector<int>
-LabelsOf(const LabelImage * image)
-{
-  std::vector<int> labels;
-  for (const auto & entry : CountLabels(image))
-  {
-    labels.push_back(entry.first);
-  }
-  if (labels.size() < 2)
-  {
-    itkGenericExceptionMacro("The label image has a single value" << (labels.empty() ? "" : ", ")
-                                                                  << (labels.empty() ? "" : std::to_string(labels[0]))
-                                                                  << ": there is no interface in it.");
-  }
-  if (labels.size() > MostLabels)
-  {
-    itkGenericExceptionMacro("The image has " << labels.size() << " labels. At most " << MostLabels
-                                              << " are supported.");
-  }
-  return labels;
-}
-
 /** The block in the image's physical space; beyond it, its values are the lowest. */
 FloatImage::Pointer
 MakeImage(const LabelImage * labels, const Block<float> & block, double unit, bool cropToBand)

@@ -19,6 +19,8 @@
 
 #include "itk/GridGeometry.h"
 
+#include "itkMacro.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -72,6 +74,29 @@ DescribeIntensities(const LabelImage * image, const LabelCounts & counts)
   text << "has " << counts.size() << " values, from " << counts.begin()->first << " to " << counts.rbegin()->first
        << " that change from voxel to voxel, and looks like an intensity image; segment it first";
   return text.str();
+}
+
+std::vector<int>
+LabelsOf(const LabelImage * image)
+{
+  constexpr std::size_t MostLabels = 65530; // Material has room for six more
+  std::vector<int>      labels;
+  for (const auto & entry : CountLabels(image))
+  {
+    labels.push_back(entry.first);
+  }
+  if (labels.size() < 2)
+  {
+    itkGenericExceptionMacro("The label image has a single value" << (labels.empty() ? "" : ", ")
+                                                                  << (labels.empty() ? "" : std::to_string(labels[0]))
+                                                                  << ": there is no interface in it.");
+  }
+  if (labels.size() > MostLabels)
+  {
+    itkGenericExceptionMacro("The image has " << labels.size() << " labels. At most " << MostLabels
+                                              << " are supported.");
+  }
+  return labels;
 }
 
 MaterialImage

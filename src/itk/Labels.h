@@ -48,6 +48,10 @@ ForEachRun(const LabelImage * image, const TBody & body)
   }
 }
 
+/** The labels of an image, sorted. Throws where there are no interfaces, or more labels than materials. */
+std::vector<int>
+LabelsOf(const LabelImage * image);
+
 /** The image in the core's terms. `labels` are those of the image, sorted: a material is a place in this list. */
 MaterialImage
 MakeMaterialImage(const LabelImage * image, const std::vector<int> & labels);
